@@ -1,0 +1,63 @@
+/// \file
+/// Which faces meet at an edge or a vertex of one body.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "booleans/body.h"
+
+namespace quoin::booleans {
+
+/// Incidence of one body: triangles by counting, polygon edges by sorting. The body must outlive it.
+class Adjacency {
+ public:
+  explicit Adjacency(const Body& body);
+
+  /// visit(face, forward) for every face with the edge {u, v}; forward: the face runs from u to v.
+  template <class Visit>
+  void faces_at_edge(std::uint32_t u, std::uint32_t v, Visit&& visit) const {
+    for_triangles(u, [&](std::uint32_t t, std::size_t corner) {
+      const auto& c = body_.triangles[t];
+      if (c[(corner + 1) % 3] == v) visit(t, true);
+      if (c[(corner + 2) % 3] == v) visit(t, false);
+    });
+    for_polygon_edges(u, [&](const PolygonEdge& e) {
+      if (e.to == v) visit(e.face, e.forward);
+    });
+  }
+
+  /// visit(face, w, forward) for every edge {v, w} of every face at vertex v; forward: the face runs from v to w.
+  template <class Visit>
+  void edges_at_vertex(std::uint32_t v, Visit&& visit) const {
+    for_triangles(v, [&](std::uint32_t t, std::size_t corner) {
+      const auto& c = body_.triangles[t];
+      visit(t, c[(corner + 1) % 3], true);
+      visit(t, c[(corner + 2) % 3], false);
+    });
+    for_polygon_edges(v, [&](const PolygonEdge& e) { visit(e.face, e.to, e.forward); });
+  }
+
+ private:
+  struct PolygonEdge {
+    std::uint32_t from, to, face;
+    bool forward;
+  };
+
+  template <class Visit>
+  void for_triangles(std::uint32_t u, Visit&& visit) const {
+    if (u >= body_.grid_points.size()) return;
+    for (std::uint32_t i = start_[u]; i < start_[u + 1]; ++i) visit(corner_[i] / 3, corner_[i] % 3);
+  }
+  template <class Visit>
+  void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
+    auto at = std::lower_bound(edges_.begin(), edges_.end(), u, [](const PolygonEdge& e, std::uint32_t w) { return e.from < w; });
+    for (; at != edges_.end() && at->from == u; ++at) visit(*at);
+  }
+
+  const Body& body_;
+  std::vector<std::uint32_t> start_, corner_;  // triangle corners (3 t + k) by vertex
+  std::vector<PolygonEdge> edges_;             // both directions, sorted
+};
+
+}  // namespace quoin::booleans

@@ -1,0 +1,257 @@
+#include "booleans/assemble.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// A polygon in the making; corners are output names (see Assembler::corner_).
+struct Region {
+  exact::Plane plane;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> loop_ends;  // end of each loop in corners
+};
+
+class Assembler {
+ public:
+  Assembler(const Arrangement& a, const Selection& selection) : a_(a), s_(selection) {}
+
+  Body run() {
+    body_.full_at_infinity = s_.full_at_infinity;
+    place_of_.resize(a_.operands.bodies.size());
+    for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
+    keep_untouched();
+    drop_vertices();
+    emit();
+    return std::move(body_);
+  }
+
+ private:
+  // While faces are collected a corner is an index into places_: first come, first named.
+  struct Place {
+    std::uint32_t operand;  // none: a table vertex
+    std::uint32_t vertex;
+    std::uint32_t neighbours[2] = {none, none};
+    bool fixed = false;   // a raw triangle uses it, or it has more than two neighbours
+    bool used = false;    // on a loop of at least two corners, or on a raw triangle
+  };
+
+  std::uint32_t table_place(std::uint32_t v) {
+    if (table_place_.size() < a_.vertices.size()) table_place_.resize(a_.vertices.size(), none);
+    std::uint32_t& p = table_place_[v];
+    if (p == none) {
+      p = static_cast<std::uint32_t>(places_.size());
+      places_.push_back({none, v});
+    }
+    return p;
+  }
+  std::uint32_t place(std::uint32_t operand, std::uint32_t v) {
+    const auto& table = a_.touched.vertex_of[operand];
+    if (!table.empty() && table[v] != none) return table_place(table[v]);
+    auto& own = place_of_[operand];
+    if (own.empty()) own.assign(a_.operands.bodies[operand]->vertex_count(), none);
+    if (own[v] == none) {
+      own[v] = static_cast<std::uint32_t>(places_.size());
+      places_.push_back({operand, v});
+    }
+    return own[v];
+  }
+
+  /// Kept facets of one sheet: regions that hang together over cancelled elements.
+  void merge_sheet(std::uint32_t index) {
+    const Sheet& sheet = a_.sheets[index];
+    const std::uint32_t facet_base = a_.facet_base[index], element_base = a_.element_base[index];
+    const auto kept = [&](std::uint32_t h) {
+      return sheet.facet[h] == none ? 0 : int{s_.kept[facet_base + sheet.facet[h]]};
+    };
+    // An element vanishes where exactly two kept facets meet, both in this plane and equally oriented.
+    const auto cancelled = [&](std::uint32_t h) {
+      return kept(h) == kept(h ^ 1) && s_.kept_at[element_base + h / 2] == 2;
+    };
+    Partition groups(sheet.facet_count());
+    bool any = false;
+    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
+      if (kept(h) == 0) continue;
+      any = true;
+      if (cancelled(h)) groups.unite(sheet.facet[h], sheet.facet[h ^ 1]);
+    }
+    if (!any) return;
+    std::vector<std::uint32_t> region_of(sheet.facet_count(), none);
+    const auto region = [&](std::uint32_t facet) -> Region& {
+      std::uint32_t& r = region_of[groups.find(facet)];
+      if (r == none) {
+        r = static_cast<std::uint32_t>(regions_.size());
+        const exact::Plane& p = a_.planes[sheet.plane];
+        regions_.push_back({s_.kept[facet_base + facet] > 0 ? p : p.opposite(), {}, {}});
+      }
+      return regions_[r];
+    };
+    std::vector<std::uint8_t> done(sheet.facet.size());
+    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
+      if (done[h] || kept(h) == 0 || cancelled(h)) continue;
+      loop_.clear();
+      for (std::uint32_t g = h; !done[g];) {
+        done[g] = 1;
+        loop_.push_back(table_place(sheet.origin(g)));
+        g = sheet.clockwise[g ^ 1];
+        while (kept(g) != 0 && cancelled(g)) g = sheet.clockwise[g];
+      }
+      if (kept(h) < 0) std::reverse(loop_.begin(), loop_.end());
+      add_loop(region(sheet.facet[h]));
+    }
+    add_touching_points(sheet, kept, cancelled, region);
+  }
+
+  /// Vertices inside a kept region that it does not list: they stay where other faces end in them.
+  template <class Kept, class Cancelled, class RegionOf>
+  void add_touching_points(const Sheet& sheet, Kept kept, Cancelled cancelled, RegionOf region) {
+    for (const Sheet::Isolated& i : sheet.isolated) {
+      if (s_.kept[a_.facet_base[&sheet - a_.sheets.data()] + i.facet] == 0) continue;
+      loop_.assign(1, table_place(i.vertex));
+      add_loop(region(i.facet));
+    }
+    touching_.assign(sheet.facet.size(), 0);
+    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
+      if (touching_[h]) continue;
+      bool inside = true;
+      for (std::uint32_t g = h; !touching_[g]; g = sheet.clockwise[g]) {
+        touching_[g] = 1;
+        inside = inside && kept(g) != 0 && cancelled(g);
+      }
+      if (!inside) continue;
+      loop_.assign(1, table_place(sheet.origin(h)));
+      add_loop(region(sheet.facet[h]));
+    }
+  }
+
+  void add_loop(Region& r) {
+    r.corners.insert(r.corners.end(), loop_.begin(), loop_.end());
+    r.loop_ends.push_back(static_cast<std::uint32_t>(r.corners.size()));
+  }
+
+  void keep_untouched() {
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+      const Body& body = *a_.operands.bodies[o];
+      const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
+      for (std::uint32_t f = 0; f < body.face_count(); ++f) {
+        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + f];
+        if (patch == none || s_.kept[patch] == 0) continue;
+        const bool turn = s_.kept[patch] < 0;
+        if (f < triangles) {
+          std::array<std::uint32_t, 3> t = body.triangles[f];
+          if (turn) std::swap(t[1], t[2]);
+          for (std::uint32_t& v : t) {
+            v = place(o, v);
+            places_[v].fixed = places_[v].used = true;
+          }
+          body_.triangles.push_back(t);
+          continue;
+        }
+        const std::uint32_t p = f - triangles;
+        Region r{turn ? body.planes[p].opposite() : body.planes[p], {}, {}};
+        for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
+          loop_.clear();
+          for (std::uint32_t v : body.loop(j)) loop_.push_back(place(o, v));
+          if (turn) std::reverse(loop_.begin(), loop_.end());
+          add_loop(r);
+        }
+        regions_.push_back(std::move(r));
+      }
+    }
+  }
+
+  template <class Visit>
+  static void for_loops(const Region& r, Visit&& visit) {
+    for (std::size_t j = 0, begin = 0; j < r.loop_ends.size(); begin = r.loop_ends[j++])
+      visit(std::span(r.corners).subspan(begin, r.loop_ends[j] - begin));
+  }
+
+  /// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
+  /// through both of its edges, so both lie on the line of their planes.
+  void drop_vertices() {
+    for (const Region& r : regions_) {
+      for_loops(r, [&](std::span<const std::uint32_t> loop) {
+        if (loop.size() == 1) return;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+          const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
+          add_neighbour(loop[i], next);
+          add_neighbour(next, loop[i]);
+        }
+      });
+    }
+    for (Region& r : regions_) {
+      Region kept{r.plane, {}, {}};
+      for_loops(r, [&](std::span<const std::uint32_t> loop) {
+        loop_.clear();
+        for (std::uint32_t p : loop)
+          if (loop.size() == 1 ? places_[p].used : places_[p].fixed) loop_.push_back(p);
+        if (!loop_.empty()) add_loop(kept);
+      });
+      r = std::move(kept);
+    }
+  }
+  void add_neighbour(std::uint32_t p, std::uint32_t q) {
+    Place& place = places_[p];
+    place.used = true;
+    if (place.neighbours[0] == none || place.neighbours[0] == q) place.neighbours[0] = q;
+    else if (place.neighbours[1] == none || place.neighbours[1] == q) place.neighbours[1] = q;
+    else place.fixed = true;
+  }
+
+  bool is_grid(const Place& p) const {
+    return p.operand == none ? a_.vertices.is_grid(p.vertex) : a_.operands.bodies[p.operand]->is_grid(p.vertex);
+  }
+
+  /// Numbers the places that are left, grid points first, and writes the faces.
+  void emit() {
+    std::vector<std::uint32_t> id(places_.size(), none);
+    std::vector<std::uint8_t> needed(places_.size());
+    for (const auto& t : body_.triangles)
+      for (std::uint32_t p : t) needed[p] = 1;
+    for (const Region& r : regions_)
+      for (std::uint32_t p : r.corners) needed[p] = 1;
+    for (const bool grid : {true, false}) {
+      for (std::uint32_t i = 0; i < places_.size(); ++i) {
+        const Place& p = places_[i];
+        if (!needed[i] || is_grid(p) != grid) continue;
+        id[i] = static_cast<std::uint32_t>(body_.vertex_count());
+        if (grid) {
+          body_.grid_points.push_back(p.operand == none ? a_.vertices.grid_point(p.vertex)
+                                                        : a_.operands.bodies[p.operand]->grid_points[p.vertex]);
+        } else {
+          body_.points.push_back(p.operand == none ? a_.vertices.point(p.vertex) : a_.operands.bodies[p.operand]->point(p.vertex));
+        }
+      }
+    }
+    for (auto& t : body_.triangles)
+      for (std::uint32_t& p : t) p = id[p];
+    const auto grid_count = static_cast<std::uint32_t>(body_.grid_points.size());
+    for (const Region& r : regions_) {
+      if (r.loop_ends.size() == 1 && r.corners.size() == 3 &&
+          std::all_of(r.corners.begin(), r.corners.end(), [&](std::uint32_t p) { return id[p] < grid_count; })) {
+        body_.triangles.push_back({id[r.corners[0]], id[r.corners[1]], id[r.corners[2]]});
+        continue;
+      }
+      body_.planes.push_back(r.plane);
+      for_loops(r, [&](std::span<const std::uint32_t> loop) {
+        for (std::uint32_t p : loop) body_.corners.push_back(id[p]);
+        body_.loop_corners.push_back(static_cast<std::uint32_t>(body_.corners.size()));
+      });
+      body_.polygon_loops.push_back(static_cast<std::uint32_t>(body_.loop_corners.size() - 1));
+    }
+  }
+
+  const Arrangement& a_;
+  const Selection& s_;
+  Body body_;
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> table_place_;
+  std::vector<std::vector<std::uint32_t>> place_of_;  // per operand, for vertices outside the table
+  std::vector<Region> regions_;
+  std::vector<std::uint32_t> loop_;
+  std::vector<std::uint8_t> touching_;
+};
+
+}  // namespace
+
+Body assemble(const Arrangement& a, const Selection& selection) { return Assembler(a, selection).run(); }
+
+}  // namespace quoin::booleans

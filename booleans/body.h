@@ -1,0 +1,68 @@
+/// \file
+/// What a solid is made of: its boundary on the grid, in two tiers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "exact/geometry.h"
+
+namespace quoin::booleans {
+
+/// "No element" for every 32-bit index.
+inline constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+/// The boundary of a regular point set.
+///
+/// Vertices: ids below grid_points.size() are grid points, the rest are derived points.
+/// Faces: ids below triangles.size() are raw triangles between grid points, the rest are polygons: a plane (normal
+/// outwards) and loops, the face on the left of each loop seen from outside.
+///
+/// Invariants of a *clean* body (all that operations return; `check` in validate.h tests them):
+///   B1  every directed edge is balanced by its reverse;
+///   B2  faces meet only in shared vertices and shared edges: no vertex lies inside an edge or a face that does not
+///       list it (a touching vertex inside a face is a loop of one corner), no two faces cross or overlap;
+///   B3  the winding number is 1 just inside every face and 0 just outside;
+///   B4  a polygon is coplanar with no face that shares a two-faced edge with it.
+struct Body {
+  std::vector<exact::GridPoint> grid_points;
+  std::vector<exact::Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<exact::Plane> planes;               // one a polygon
+  std::vector<std::uint32_t> polygon_loops = {0};  // polygon i has the loops polygon_loops[i] .. polygon_loops[i + 1] - 1
+  std::vector<std::uint32_t> loop_corners = {0};   // loop j has the corners loop_corners[j] .. loop_corners[j + 1] - 1
+  std::vector<std::uint32_t> corners;              // vertex ids
+  /// The value at infinity: true for complements of bounded solids.
+  bool full_at_infinity = false;
+
+  std::size_t vertex_count() const { return grid_points.size() + points.size(); }
+  std::size_t polygon_count() const { return planes.size(); }
+  std::size_t face_count() const { return triangles.size() + planes.size(); }
+  bool is_grid(std::uint32_t v) const { return v < grid_points.size(); }
+  exact::Point point(std::uint32_t v) const {
+    return is_grid(v) ? exact::point(grid_points[v]) : points[v - grid_points.size()];
+  }
+  std::array<double, 3> approximation(std::uint32_t v) const {
+    if (!is_grid(v)) return points[v - grid_points.size()].approximation;
+    const exact::GridPoint& p = grid_points[v];
+    return {double(p[0]), double(p[1]), double(p[2])};
+  }
+  std::span<const std::uint32_t> loop(std::uint32_t j) const {
+    return std::span(corners).subspan(loop_corners[j], loop_corners[j + 1] - loop_corners[j]);
+  }
+  /// Oriented plane of a face. Precondition: the triangle is not degenerate.
+  exact::Plane plane(std::uint32_t face) const;
+};
+
+/// The complement: every face turned round, the value at infinity inverted.
+Body complement(const Body& body);
+
+/// An axis-parallel box from low to high (low < high in every axis), as twelve raw triangles.
+Body box_body(const exact::GridPoint& low, const exact::GridPoint& high);
+
+/// The part of that box where the plane is <= 0, its faces exact polygons; empty or the whole box where the plane misses.
+Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, const exact::GridPoint& high);
+
+}  // namespace quoin::booleans

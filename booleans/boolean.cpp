@@ -1,0 +1,101 @@
+#include "booleans/boolean.h"
+
+#include "booleans/assemble.h"
+#include "booleans/candidates.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// Reports stages and asks whether to go on.
+class Stages {
+ public:
+  explicit Stages(const Run& run) : run_(run) {}
+  /// True when the run was cancelled.
+  bool reached(double fraction) const {
+    if (run_.progress) run_.progress(fraction);
+    return run_.cancel && run_.cancel->load(std::memory_order_relaxed);
+  }
+
+ private:
+  const Run& run_;
+};
+
+Error cancelled() { return {"cancelled", "the operation was cancelled"}; }
+
+/// Everything after the broad phase.
+Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expression, const std::vector<FaceIdPair>& near,
+                     Glue glue, const Run& run) {
+  const Stages stages(run);
+  Arrangement a(std::move(bodies));
+  std::vector<std::uint8_t> touched(a.operands.face_count());
+  for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
+  a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
+  if (stages.reached(0.3)) return cancelled();
+
+  std::vector<FacePair> pairs;
+  pairs.reserve(near.size());
+  for (const FaceIdPair& p : near) {
+    const std::uint32_t f = a.touched.face_of[p[0]], g = a.touched.face_of[p[1]];
+    if (f != g) pairs.push_back({std::min(f, g), std::max(f, g)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const Contacts contacts = find_contacts(a.touched, pairs, a.vertices, a.planes);
+  if (stages.reached(0.5)) return cancelled();
+
+  a.sheets = draw_sheets(a.touched, contacts, a.vertices, a.planes);
+  if (stages.reached(0.7)) return cancelled();
+  connect(a, glue);
+  const Selection selection = select(a, expression);
+  if (!selection.consistent)
+    return Error{"inconsistent", "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
+  if (stages.reached(0.9)) return cancelled();
+  Body result = assemble(a, selection);
+  stages.reached(1.0);
+  return result;
+}
+
+}  // namespace
+
+Result<Body> evaluate(std::span<const Body* const> operands, const Expression& expression, const Run& run) {
+  if (Stages(run).reached(0.0)) return cancelled();
+  std::vector<const Body*> bodies(operands.begin(), operands.end());
+  const std::vector<FaceIdPair> near = foreign_pairs(Operands(bodies));
+  return arrange(std::move(bodies), expression, near, Glue::vertices, run);
+}
+
+namespace {
+
+/// One surface, connected over edges that all have exactly two faces?
+bool is_simple_surface(const Body& mesh) {
+  const Adjacency adjacency(mesh);
+  Partition parts(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      int count = 0;
+      adjacency.faces_at_edge(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3], [&](std::uint32_t f, bool) {
+        ++count;
+        parts.unite(t, f);
+      });
+      if (count != 2) return false;
+    }
+  }
+  for (std::uint32_t t = 1; t < mesh.triangles.size(); ++t)
+    if (parts.find(t) != parts.find(0)) return false;
+  return true;
+}
+
+}  // namespace
+
+Result<Body> resolve(const Body& mesh, std::uint64_t& crossings, const Run& run) {
+  if (Stages(run).reached(0.0)) return cancelled();
+  const std::vector<FaceIdPair> near = improper_pairs(mesh);
+  crossings = near.size();
+  // An embedded connected surface that is not inside out has 1 inside and 0 outside: the door has seen its volume.
+  if (near.empty() && is_simple_surface(mesh)) return mesh;
+  Expression itself;
+  itself.add({Rule::operand, false, 0, none});
+  return arrange({&mesh}, itself, near, Glue::edges, run);
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,86 @@
+#include "booleans/box.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// Spreads the low 10 bits of v to every third bit.
+std::uint32_t spread(std::uint32_t v) {
+  v = (v | (v << 16)) & 0x030000FFu;
+  v = (v | (v << 8)) & 0x0300F00Fu;
+  v = (v | (v << 4)) & 0x030C30C3u;
+  return (v | (v << 2)) & 0x09249249u;
+}
+
+/// Stable radix sort of (key, index) by the 30-bit key, three passes of 10 bits.
+void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> b(a.size());
+  for (int shift = 0; shift < 30; shift += 10) {
+    std::array<std::uint32_t, 1025> start{};
+    for (const auto& x : a) ++start[((x.first >> shift) & 1023u) + 1];
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    for (const auto& x : a) b[start[(x.first >> shift) & 1023u]++] = x;
+    a.swap(b);
+  }
+}
+
+}  // namespace
+
+Box face_box(const Body& body, std::uint32_t face) {
+  Box box;
+  if (face < body.triangles.size()) {
+    for (std::uint32_t v : body.triangles[face]) box.add(body.grid_points[v]);
+    return box;
+  }
+  const auto polygon = face - static_cast<std::uint32_t>(body.triangles.size());
+  const std::uint32_t first = body.loop_corners[body.polygon_loops[polygon]];
+  const std::uint32_t last = body.loop_corners[body.polygon_loops[polygon + 1]];
+  for (std::uint32_t c = first; c < last; ++c) box.add(body.approximation(body.corners[c]));
+  return box;
+}
+
+BoxTree::BoxTree(std::vector<Item> items) {
+  if (items.empty()) return;
+  Box all;
+  for (const Item& x : items) all.add(x.box);
+  // 10 bits per axis of the doubled centre.
+  std::array<int, 3> shift{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::uint64_t extent = 2 * static_cast<std::uint64_t>(std::int64_t{all.high[k]} - all.low[k]);
+    while (extent >> shift[k] > 1023) ++shift[k];
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> order(items.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    std::uint32_t key = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t centre = std::int64_t{items[i].box.low[k]} + items[i].box.high[k] - 2 * std::int64_t{all.low[k]};
+      key |= spread(static_cast<std::uint32_t>(centre >> shift[k])) << k;
+    }
+    order[i] = {key, i};
+  }
+  radix_sort(order);
+  items_.reserve(items.size());
+  for (const auto& o : order) items_.push_back(items[o.second]);
+
+  std::vector<Node> level((items_.size() + bucket - 1) / bucket);
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    level[i].group = leaf(i)[0].group;
+    for (const Item& x : leaf(i)) {
+      level[i].box.add(x.box);
+      if (x.group != level[i].group) level[i].group = mixed;
+    }
+  }
+  levels_.push_back(std::move(level));
+  while (width(levels_.size() - 1) > 1) {
+    const std::vector<Node>& below = levels_.back();
+    std::vector<Node> above((below.size() + 1) / 2);
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      above[i] = below[2 * i];
+      if (2 * i + 1 == below.size()) continue;
+      above[i].box.add(below[2 * i + 1].box);
+      if (below[2 * i + 1].group != above[i].group) above[i].group = mixed;
+    }
+    levels_.push_back(std::move(above));
+  }
+}
+
+}  // namespace quoin::booleans

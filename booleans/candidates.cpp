@@ -1,0 +1,117 @@
+#include "booleans/candidates.h"
+
+#include <tbb/parallel_for.h>
+
+#include "booleans/triangle_pair.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// Keeps the pairs that `wanted(pair)` accepts, in order, testing in parallel.
+template <class Wanted>
+std::vector<FaceIdPair> filtered(const std::vector<FaceIdPair>& pairs, Wanted wanted) {
+  std::vector<std::uint8_t> keep(pairs.size());
+  constexpr std::size_t chunk = 1024;
+  tbb::parallel_for(std::size_t{0}, (pairs.size() + chunk - 1) / chunk, [&](std::size_t c) {
+    for (std::size_t i = c * chunk; i < std::min(pairs.size(), (c + 1) * chunk); ++i) keep[i] = wanted(pairs[i]);
+  });
+  std::vector<FaceIdPair> r;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (keep[i]) r.push_back(pairs[i]);
+  return r;
+}
+
+/// Do all corners of the face lie strictly on one side of the plane?
+bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face) {
+  int seen = 0;
+  const auto apart = [&](int s) {
+    if (s == 0 || s * seen < 0) return false;
+    seen = s;
+    return true;
+  };
+  if (face < body.triangles.size()) {
+    for (std::uint32_t v : body.triangles[face])
+      if (!apart(exact::side(plane, body.grid_points[v]))) return false;
+    return true;
+  }
+  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
+  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c) {
+    const std::uint32_t v = body.corners[c];
+    if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v])
+                               : exact::side(plane, body.points[v - body.grid_points.size()])))
+      return false;
+  }
+  return true;
+}
+
+GridTriangle triangle(const Body& body, std::uint32_t t) {
+  const auto& c = body.triangles[t];
+  return {body.grid_points[c[0]], body.grid_points[c[1]], body.grid_points[c[2]]};
+}
+
+/// Do two triangles of one mesh meet anywhere but in a common corner or edge, or overlap across one?
+bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
+  const GridTriangle p = triangle(mesh, s), q = triangle(mesh, t);
+  const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
+  std::array<std::size_t, 3> shared_a{}, shared_b{};
+  std::size_t shared = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (a[i] == b[j]) shared_a[shared] = i, shared_b[shared++] = j;
+  if (shared == 3) return true;
+  if (shared == 2) {
+    // Coplanar with both third corners on one side of the common edge: an overlap.
+    const std::size_t i = 3 - shared_a[0] - shared_a[1], j = 3 - shared_b[0] - shared_b[1];
+    if (orientation(p[0], p[1], p[2], q[j]) != 0) return false;
+    const auto n = exact::plane_through(p[0], p[1], p[2]), m = exact::plane_through(p[shared_a[0]], p[shared_a[1]], q[j]);
+    const auto own = exact::plane_through(p[shared_a[0]], p[shared_a[1]], p[i]);
+    return n && m && own && exact::dot_sign(*m, *own) > 0;
+  }
+  if (shared == 1) {
+    // What they share besides the corner reaches the opposite side of one of them.
+    const std::size_t i = shared_a[0], j = shared_b[0];
+    return meet(p[(i + 1) % 3], p[(i + 2) % 3], q) || meet(q[(j + 1) % 3], q[(j + 2) % 3], p);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (meet(p[i], p[(i + 1) % 3], q) || meet(q[i], q[(i + 1) % 3], p)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
+  const auto n = static_cast<std::uint32_t>(operands.bodies.size());
+  std::vector<Box> bounds(n);
+  std::vector<Box> boxes(operands.face_count());
+  for (std::uint32_t o = 0; o < n; ++o)
+    for (std::uint32_t f = operands.base[o]; f < operands.base[o + 1]; ++f) {
+      boxes[f] = face_box(*operands.bodies[o], f - operands.base[o]);
+      bounds[o].add(boxes[f]);
+    }
+  // Few operands: drop the faces that no other operand's box meets. Many: the tree prunes as well.
+  std::vector<BoxTree::Item> items;
+  for (std::uint32_t o = 0; o < n; ++o)
+    for (std::uint32_t f = operands.base[o]; f < operands.base[o + 1]; ++f) {
+      bool near = n > 8;
+      for (std::uint32_t p = 0; p < n && !near; ++p) near = p != o && boxes[f].meets(bounds[p]);
+      if (near) items.push_back({boxes[f], f, o});
+    }
+  std::vector<FaceIdPair> pairs;
+  BoxTree(std::move(items)).pairs(false, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  return filtered(pairs, [&](const FaceIdPair& pair) {
+    const auto [o, f] = operands.local(pair[0]);
+    const auto [p, g] = operands.local(pair[1]);
+    const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
+    return !strictly_on_one_side(a.plane(f), b, g) && !strictly_on_one_side(b.plane(g), a, f);
+  });
+}
+
+std::vector<FaceIdPair> improper_pairs(const Body& mesh) {
+  std::vector<BoxTree::Item> items(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {face_box(mesh, t), t, t};
+  std::vector<FaceIdPair> pairs;
+  BoxTree(std::move(items)).pairs(true, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  return filtered(pairs, [&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,20 @@
+/// \file
+/// Broad phase: which pairs of faces may meet at all.
+#pragma once
+
+#include "booleans/touched.h"
+
+namespace quoin::booleans {
+
+/// Pairs of global face ids.
+using FaceIdPair = std::array<std::uint32_t, 2>;
+
+/// Pairs of faces of different operands whose boxes meet and neither of which lies strictly on one side of the other's
+/// plane. A superset of the pairs of closed faces that meet.
+std::vector<FaceIdPair> foreign_pairs(const Operands& operands);
+
+/// Pairs of triangles of one mesh that meet anywhere but in a corner or edge that they share, and pairs that overlap
+/// across a shared one. Empty exactly when the triangles are embedded: they meet in common corners and edges only.
+std::vector<FaceIdPair> improper_pairs(const Body& mesh);
+
+}  // namespace quoin::booleans

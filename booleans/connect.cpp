@@ -1,0 +1,157 @@
+#include <tuple>
+
+#include "booleans/arrangement.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// visit(v) for every corner of a face.
+template <class Visit>
+void for_corners(const Body& body, std::uint32_t face, Visit&& visit) {
+  if (face < body.triangles.size()) {
+    for (std::uint32_t v : body.triangles[face]) visit(v);
+    return;
+  }
+  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
+  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c)
+    visit(body.corners[c]);
+}
+
+class Connector {
+ public:
+  explicit Connector(Arrangement& a) : a_(a) {}
+
+  void number_facets() {
+    a_.facet_base = {0};
+    a_.element_base = {0};
+    for (const Sheet& s : a_.sheets) {
+      a_.facet_base.push_back(a_.facet_base.back() + static_cast<std::uint32_t>(s.facet_count()));
+      a_.element_base.push_back(a_.element_base.back() + static_cast<std::uint32_t>(s.elements.size()));
+    }
+    a_.patch_of.assign(a_.operands.face_count(), none);
+  }
+
+  void glue_over_vertices(std::uint32_t operand) {
+    const Body& body = *a_.operands.bodies[operand];
+    Partition parts(body.vertex_count());
+    for_untouched(operand, [&](std::uint32_t f) {
+      std::uint32_t first = none;
+      for_corners(body, f, [&](std::uint32_t v) {
+        if (first == none) first = v;
+        else parts.unite(first, v);
+      });
+    });
+    std::vector<std::uint32_t> patch(body.vertex_count(), none);
+    for_untouched(operand, [&](std::uint32_t f) {
+      std::uint32_t first = none;
+      for_corners(body, f, [&](std::uint32_t v) { first = first == none ? v : first; });
+      assign(operand, f, patch[parts.find(first)]);
+    });
+  }
+
+  void glue_over_edges(std::uint32_t operand) {
+    const Body& body = *a_.operands.bodies[operand];
+    auto& adjacency = a_.touched.adjacency[operand];
+    if (!adjacency) adjacency = std::make_unique<Adjacency>(body);
+    Partition parts(body.face_count());
+    std::vector<std::array<std::uint32_t, 3>> crowded;  // (face, from, to) at edges of more than two faces
+    for_untouched(operand, [&](std::uint32_t f) {
+      for_edges(body, f, [&](std::uint32_t u, std::uint32_t v) {
+        int count = 0;
+        std::uint32_t mate = none;
+        adjacency->faces_at_edge(u, v, [&](std::uint32_t g, bool forward) {
+          ++count;
+          if (g != f && !forward) mate = g;
+        });
+        if (count != 2 || mate == none) crowded.push_back({f, u, v});
+        else if (untouched(operand, mate)) parts.unite(f, mate);
+      });
+    });
+    std::vector<std::uint32_t> patch(body.face_count(), none);
+    for_untouched(operand, [&](std::uint32_t f) { assign(operand, f, patch[parts.find(f)]); });
+    if (!crowded.empty()) a_.touched.vertex_of[operand].resize(body.vertex_count(), none);
+    for (const auto& [f, u, v] : crowded) add_use(operand, f, table_id(operand, u), table_id(operand, v));
+  }
+
+  void collect_uses() {
+    for (std::uint32_t s = 0; s < a_.sheets.size(); ++s) {
+      const Sheet& sheet = a_.sheets[s];
+      for (std::uint32_t h = 0; h < 2 * sheet.elements.size(); ++h) {
+        if (sheet.facet[h] == none) continue;
+        const std::uint32_t u = sheet.origin(h), v = sheet.target(h);
+        a_.uses.push_back({std::min(u, v), std::max(u, v), a_.facet_base[s] + sheet.facet[h], sheet.plane,
+                           sheet.elements[h / 2].line, a_.element_base[s] + h / 2, u < v, false});
+      }
+    }
+    for (const UntouchedUse& u : a_.touched.untouched) add_use(u.operand, u.face, u.from, u.to);
+    const auto key = [](const Use& u) { return std::tie(u.low, u.high, u.facet, u.left, u.plane); };
+    std::sort(a_.uses.begin(), a_.uses.end(), [&](const Use& x, const Use& y) { return key(x) < key(y); });
+    // An untouched face that hangs at two touched ones is listed twice.
+    const auto same = [&](const Use& x, const Use& y) { return x.facet >= a_.facet_count() && key(x) == key(y); };
+    a_.uses.erase(std::unique(a_.uses.begin(), a_.uses.end(), same), a_.uses.end());
+  }
+
+ private:
+  bool untouched(std::uint32_t operand, std::uint32_t f) const {
+    return a_.touched.face_of[a_.operands.base[operand] + f] == none;
+  }
+  template <class Visit>
+  void for_untouched(std::uint32_t operand, Visit&& visit) {
+    const auto n = static_cast<std::uint32_t>(a_.operands.bodies[operand]->face_count());
+    for (std::uint32_t f = 0; f < n; ++f)
+      if (untouched(operand, f)) visit(f);
+  }
+  template <class Visit>
+  static void for_edges(const Body& body, std::uint32_t f, Visit&& visit) {
+    if (f < body.triangles.size()) {
+      const auto& t = body.triangles[f];
+      for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
+      return;
+    }
+    const auto p = f - static_cast<std::uint32_t>(body.triangles.size());
+    for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
+      const auto loop = body.loop(j);
+      for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+    }
+  }
+  void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch) {
+    if (patch == none) {
+      patch = a_.node_count();
+      a_.patch_operand.push_back(operand);
+    }
+    a_.patch_of[a_.operands.base[operand] + f] = patch;
+  }
+  std::uint32_t table_id(std::uint32_t operand, std::uint32_t v) {
+    const Body& body = *a_.operands.bodies[operand];
+    std::uint32_t& id = a_.touched.vertex_of[operand][v];
+    if (id == none)
+      id = body.is_grid(v) ? a_.vertices.id(body.grid_points[v]) : a_.vertices.id(body.points[v - body.grid_points.size()]);
+    return id;
+  }
+  void add_use(std::uint32_t operand, std::uint32_t f, std::uint32_t from, std::uint32_t to) {
+    const exact::Plane plane = a_.operands.bodies[operand]->plane(f);
+    const bool turned = !exact::is_canonical(plane);
+    // Left of from -> to seen from the outward normal; turning the view or the edge swaps the sides.
+    const bool left = (from < to) != turned;
+    a_.uses.push_back({std::min(from, to), std::max(from, to), a_.patch_of[a_.operands.base[operand] + f],
+                       a_.planes.id(plane), none, none, left, turned});
+  }
+
+  Arrangement& a_;
+};
+
+}  // namespace
+
+void connect(Arrangement& a, Glue glue) {
+  Connector c(a);
+  c.number_facets();
+  for (std::uint32_t i = 0; i < a.operands.bodies.size(); ++i) {
+    if (a.operands.bodies[i]->polygon_count() > 0 && !a.touched.adjacency[i])
+      a.touched.adjacency[i] = std::make_unique<Adjacency>(*a.operands.bodies[i]);  // rays ask for polygon edges
+    if (glue == Glue::vertices) c.glue_over_vertices(i);
+    else c.glue_over_edges(i);
+  }
+  c.collect_uses();
+}
+
+}  // namespace quoin::booleans

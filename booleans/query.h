@@ -1,0 +1,24 @@
+/// \file
+/// Exact questions about bodies.
+#pragma once
+
+#include <optional>
+
+#include "booleans/box.h"
+#include "exact/rational.h"
+
+namespace quoin::booleans {
+
+/// +1 inside, 0 on the boundary, -1 outside. `point` in grid steps, any rationals.
+int locate(const Body& body, const std::array<exact::Rational, 3>& point);
+
+/// The box of all faces, rounded outward; nothing without faces.
+std::optional<Box> bounds(const Body& body);
+
+/// Checks what a body declares: indices in range, planes reduced and within the ladder's bounds, every corner on its
+/// face's plane, no zero-length edge, no zero-area triangle, vertices in the world, every directed edge balanced by its
+/// reverse (B1). Nothing when all holds, else a sentence that names the first fault.
+/// Does not check that faces do not cross (B2) nor that labels are 0 and 1 (B3).
+std::optional<std::string> fault(const Body& body);
+
+}  // namespace quoin::booleans

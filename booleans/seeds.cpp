@@ -1,0 +1,276 @@
+#include "booleans/seeds.h"
+
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "booleans/facets.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// A vertex of the arrangement by name: a table id, or an operand's own vertex that is not in the table.
+using Name = std::uint64_t;
+constexpr Name outside_table = Name{1} << 63;
+
+/// One facet at one edge {v, w} of the extreme vertex v.
+struct Corner {
+  Name w;
+  std::uint32_t node;
+  exact::Plane plane;                 // canonical
+  std::optional<exact::Plane> line;   // another plane through the edge
+  bool left;                          // left of v -> w, seen from the canonical normal
+  bool turned;                        // patches: outward is against the canonical normal
+};
+
+class Seeder {
+ public:
+  Seeder(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count)
+      : a_(a), component_of_(component_of), extreme_(count, none_yet), corners_(count), seeds_(count) {}
+
+  std::vector<Seed> run() {
+    find_extremes();
+    collect_corners();
+    for (std::uint32_t c = 0; c < seeds_.size(); ++c) seeds_[c].outer = outer_side(c);
+    shoot();
+    return std::move(seeds_);
+  }
+
+ private:
+  static constexpr Name none_yet = ~Name{0};
+
+  Name name(std::uint32_t operand, std::uint32_t v) const {
+    const auto& table = a_.touched.vertex_of[operand];
+    if (!table.empty() && table[v] != none) return table[v];
+    return outside_table | Name{operand} << 32 | v;
+  }
+  static std::uint32_t operand_of(Name n) { return static_cast<std::uint32_t>((n & ~outside_table) >> 32); }
+  static std::uint32_t id_of(Name n) { return static_cast<std::uint32_t>(n); }
+  exact::Point point(Name n) const {
+    return n & outside_table ? a_.operands.bodies[operand_of(n)]->point(id_of(n)) : a_.vertices.point(id_of(n));
+  }
+  std::array<double, 3> approximation(Name n) const {
+    return n & outside_table ? a_.operands.bodies[operand_of(n)]->approximation(id_of(n))
+                             : a_.vertices.approximation(id_of(n));
+  }
+  bool is_grid(Name n) const {
+    return n & outside_table ? a_.operands.bodies[operand_of(n)]->is_grid(id_of(n)) : a_.vertices.is_grid(id_of(n));
+  }
+  int compare(int k, Name x, Name y) const {
+    const double p = approximation(x)[static_cast<std::size_t>(k)], q = approximation(y)[static_cast<std::size_t>(k)];
+    if (p != q) return p < q ? -1 : 1;
+    return is_grid(x) && is_grid(y) ? 0 : exact::compare_along(k, point(x), point(y));
+  }
+
+  void offer(std::uint32_t component, Name n) {
+    Name& best = extreme_[component];
+    if (best == n) return;
+    int order = best == none_yet ? -1 : 0;
+    for (int k = 0; k < 3 && order == 0; ++k) order = compare(k, n, best);
+    // Equal points under different names do not occur within one component: touching vertices are in the table.
+    if (order < 0) best = n;
+  }
+
+  void find_extremes() {
+    for (const Use& u : a_.uses) {
+      offer(component_of_[u.facet], u.low);
+      offer(component_of_[u.facet], u.high);
+    }
+    for_untouched([&](std::uint32_t operand, std::uint32_t face, std::uint32_t node) {
+      const Body& body = *a_.operands.bodies[operand];
+      if (face < body.triangles.size()) {
+        for (std::uint32_t v : body.triangles[face]) offer(component_of_[node], name(operand, v));
+        return;
+      }
+      const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
+      for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c)
+        offer(component_of_[node], name(operand, body.corners[c]));
+    });
+  }
+
+  template <class Visit>
+  void for_untouched(Visit&& visit) const {
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o)
+      for (std::uint32_t f = a_.operands.base[o]; f < a_.operands.base[o + 1]; ++f)
+        if (a_.patch_of[f] != none) visit(o, f - a_.operands.base[o], a_.patch_of[f]);
+  }
+
+  /// All facets of a component at its extreme vertex, edge by edge.
+  void collect_corners() {
+    std::unordered_multimap<Name, std::uint32_t> wanted;
+    for (std::uint32_t c = 0; c < extreme_.size(); ++c) wanted.emplace(extreme_[c], c);
+    const auto offer_corner = [&](Name v, Corner corner) {
+      const auto range = wanted.equal_range(v);
+      for (auto i = range.first; i != range.second; ++i)
+        if (component_of_[corner.node] == i->second) corners_[i->second].push_back(corner);
+    };
+    for (const Use& u : a_.uses) {
+      if (u.facet >= a_.facet_count()) continue;  // untouched faces follow
+      const Corner corner{u.high, u.facet, a_.planes[u.plane], a_.planes[u.line], u.left, false};
+      offer_corner(u.low, corner);
+      Corner reversed = corner;
+      reversed.w = u.low;
+      reversed.left = !u.left;
+      offer_corner(u.high, reversed);
+    }
+    for_untouched([&](std::uint32_t operand, std::uint32_t face, std::uint32_t node) {
+      const Body& body = *a_.operands.bodies[operand];
+      const auto edge = [&](std::uint32_t u, std::uint32_t v) {
+        for (const bool forward : {true, false}) {
+          const Name at = name(operand, forward ? u : v);
+          if (!wanted.contains(at)) continue;
+          const exact::Plane p = body.plane(face);
+          const bool turned = !exact::is_canonical(p);
+          offer_corner(at, {name(operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
+        }
+      };
+      if (face < body.triangles.size()) {
+        const auto& t = body.triangles[face];
+        for (std::size_t k = 0; k < 3; ++k) edge(t[k], t[(k + 1) % 3]);
+        return;
+      }
+      const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
+      for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
+        const auto loop = body.loop(j);
+        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) edge(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+      }
+    });
+  }
+
+  /// A vector along an edge; grid edges have components below 2^31, others are cross products of two normals, < 2^125.
+  using Direction = std::array<exact::Int<127>, 3>;
+
+  std::optional<Direction> direction(Name v, Name w, const std::vector<const Corner*>& edge) const {
+    Direction d;
+    if (is_grid(v) && is_grid(w)) {
+      const auto p = approximation(v), q = approximation(w);
+      for (std::size_t k = 0; k < 3; ++k) d[k] = exact::Int<127>(static_cast<std::int64_t>(q[k] - p[k]));
+      return d;
+    }
+    for (const Corner* c : edge) {
+      for (const Corner* e : edge) {
+        const exact::Plane& other = c == e && c->line ? *c->line : e->plane;
+        if (exact::parallel(c->plane, other)) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+          const auto n = [](const exact::Plane& p, std::size_t m) { return exact::Coefficient(p.n[m]); };
+          d[k] = n(c->plane, i) * n(other, j) - n(c->plane, j) * n(other, i);
+        }
+        // Orient it from v to w.
+        for (int k = 0; k < 3; ++k) {
+          const int s = d[static_cast<std::size_t>(k)].sign();
+          if (s == 0) continue;
+          if (compare(k, w, v) != s)
+            for (auto& x : d) x = -x;
+          return d;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Does edge direction d come before e: vertical first, then least dy/dx, then least dz?
+  static bool precedes(const Direction& d, const Direction& e) {
+    const bool vertical = d[0].sign() == 0 && d[1].sign() == 0;
+    if (vertical || (e[0].sign() == 0 && e[1].sign() == 0)) return vertical;
+    if (const int slope = exact::compare(d[0] * e[1], d[1] * e[0])) return slope > 0;
+    const std::size_t k = d[0].sign() != 0 ? 0 : 1;  // both run forward in this axis
+    return exact::compare(d[2] * e[k], e[2] * d[k]) < 0;
+  }
+
+  Side outer_side(std::uint32_t component) const {
+    const Name v = extreme_[component];
+    std::map<Name, std::vector<const Corner*>> edges;
+    for (const Corner& c : corners_[component]) edges[c.w].push_back(&c);
+    const std::vector<const Corner*>* chosen = nullptr;
+    Direction best{};
+    for (const auto& [w, edge] : edges) {
+      const auto d = direction(v, w, edge);
+      if (!d || (chosen && !precedes(*d, best))) continue;
+      best = *d;
+      chosen = &edge;
+    }
+    assert(chosen);
+    // The first facet counter-clockwise around the edge: it turns left to every other.
+    int k = 0;
+    while (best[static_cast<std::size_t>(k)].sign() == 0) ++k;
+    const int forward = best[static_cast<std::size_t>(k)].sign();
+    const Corner* first = (*chosen)[0];
+    for (const Corner* c : *chosen) {
+      const int turn = exact::cross_sign(c->plane, first->plane, k) * forward * (c->left == first->left ? 1 : -1);
+      if (turn > 0) first = c;
+    }
+    // Counter-clockwise before a facet that lies left of its edge is its back, else its front.
+    const bool back = first->left != first->turned;
+    return 2 * first->node + (back ? 1 : 0);
+  }
+
+  /// Finds the nearest target in the ray's way; `better` compares two hits exactly.
+  void shoot() {
+    const Targets targets(a_);
+    std::optional<BoxTree> tree;
+    if (seeds_.size() > 4) {
+      std::vector<BoxTree::Item> items(targets.size());
+      for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets.box(t), t, t};
+      tree.emplace(std::move(items));
+    }
+    for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
+      const exact::Point v = point(extreme_[c]);
+      Box ray;
+      ray.add(v.approximation);
+      ray.low[0] = INT32_MIN;
+      std::uint32_t nearest = none;
+      exact::Plane nearest_plane{};
+      bool nearest_turned = false;
+      const auto consider = [&](std::uint32_t t) {
+        bool turned = false;
+        const exact::Plane p = targets.plane(t, turned);
+        if (p.n[0] == 0 || !in_front(p, v)) return;
+        if (nearest != none && !nearer(p, nearest_plane, v)) return;
+        if (!targets.crossed(t, p, v)) return;
+        nearest = t;
+        nearest_plane = p;
+        nearest_turned = turned;
+      };
+      if (tree) {
+        tree->meeting(ray, consider);
+      } else {
+        for (std::uint32_t t = 0; t < targets.size(); ++t)
+          if (targets.box(t).meets(ray)) consider(t);
+      }
+      // Canonical planes that are not parallel to x are positive towards +x: the ray comes from the front.
+      seeds_[c].beyond = nearest == none ? none : 2 * targets.node(nearest) + (nearest_turned ? 1 : 0);
+    }
+  }
+
+  /// Is the plane (p_x > 0) met by the ray from v' towards -x: is p(v') > 0, read lexicographically in the shift?
+  static bool in_front(const exact::Plane& p, const exact::Point& v) {
+    if (const int s = exact::side(p, v)) return s > 0;
+    if (p.n[1] != 0) return p.n[1] < 0;
+    return p.n[2] <= 0;  // both zero: the plane x = v_x lies delta away
+  }
+
+  /// Is p met before q? The distances are p(v') / p_x and q(v') / q_x.
+  static bool nearer(const exact::Plane& p, const exact::Plane& q, const exact::Point& v) {
+    const exact::Coefficient px(p.n[0]), qx(q.n[0]);
+    ++exact::counters().fixed_width;
+    if (const int c = exact::compare(exact::scaled_value(p, v) * qx, exact::scaled_value(q, v) * px)) return c < 0;
+    for (std::size_t k : {std::size_t{1}, std::size_t{2}})
+      if (const int c = exact::compare(exact::Coefficient(p.n[k]) * qx, exact::Coefficient(q.n[k]) * px)) return c > 0;
+    return false;
+  }
+
+  const Arrangement& a_;
+  const std::vector<std::uint32_t>& component_of_;
+  std::vector<Name> extreme_;
+  std::vector<std::vector<Corner>> corners_;
+  std::vector<Seed> seeds_;
+};
+
+}  // namespace
+
+std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count) {
+  return Seeder(a, component_of, count).run();
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,193 @@
+#include "booleans/touched.h"
+
+namespace quoin::booleans {
+
+Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), base{0} {
+  for (const Body* b : bodies) base.push_back(base.back() + static_cast<std::uint32_t>(b->face_count()));
+}
+
+std::pair<std::uint32_t, std::uint32_t> Operands::local(std::uint32_t face) const {
+  const auto at = std::upper_bound(base.begin(), base.end(), face) - 1;
+  return {static_cast<std::uint32_t>(at - base.begin()), face - *at};
+}
+
+namespace {
+
+/// Collects the touched faces of one operand.
+class Collector {
+ public:
+  Collector(const Operands& operands, std::uint32_t operand, std::vector<std::uint8_t>& touched, VertexTable& vertices,
+            PlaneTable& planes, TouchedFaces& out)
+      : body_(*operands.bodies[operand]), operand_(operand), base_(operands.base[operand]), touched_(touched),
+        vertices_(vertices), planes_(planes), out_(out), adjacency_(*out.adjacency[operand]),
+        vertex_of_(out.vertex_of[operand]) {}
+
+  void run() {
+    const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
+    for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
+      if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
+      if (f < triangles) flood(f);
+      else begin_face(f, body_.planes[f - triangles]), members_.push_back(f);
+      finish_face();
+    }
+    find_other_planes();
+  }
+
+ private:
+  struct LocalEdge {
+    std::uint32_t u, v;  // local vertex ids
+  };
+
+  void begin_face(std::uint32_t f, const exact::Plane& plane) {
+    members_.clear();
+    TouchedFace face{};
+    face.operand = operand_;
+    face.source = f;
+    face.sheet = planes_.id(plane);
+    face.along = exact::is_canonical(plane);
+    face.edges_begin = static_cast<std::uint32_t>(out_.edges.size());
+    face.isolated_begin = static_cast<std::uint32_t>(out_.isolated.size());
+    out_.face_of[base_ + f] = static_cast<std::uint32_t>(out_.faces.size());
+    out_.faces.push_back(face);
+  }
+
+  /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
+  void flood(std::uint32_t t) {
+    const exact::Plane plane = body_.plane(t);
+    begin_face(t, plane);
+    const auto index = static_cast<std::uint32_t>(out_.faces.size() - 1);
+    members_.push_back(t);
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const auto& c = body_.triangles[members_[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t mate = coplanar_mate(members_[i], c[k], c[(k + 1) % 3], plane);
+        if (mate == none) {
+          add_edge(c[k], c[(k + 1) % 3]);
+        } else if (out_.face_of[base_ + mate] == none) {
+          out_.face_of[base_ + mate] = index;
+          touched_[base_ + mate] = 1;
+          members_.push_back(mate);
+        }
+      }
+    }
+  }
+
+  /// The triangle that continues triangle t over its directed edge (u, v), if the edge is no real edge.
+  std::uint32_t coplanar_mate(std::uint32_t t, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) const {
+    std::uint32_t mate = none;
+    int faces = 0;
+    bool reversed = false;
+    adjacency_.faces_at_edge(u, v, [&](std::uint32_t f, bool forward) {
+      ++faces;
+      if (f != t) mate = f, reversed = !forward;
+    });
+    if (faces != 2 || mate == none || !reversed || mate >= body_.triangles.size()) return none;
+    const auto& c = body_.triangles[mate];
+    for (std::uint32_t w : c)
+      if (w != u && w != v && exact::side(plane, body_.grid_points[w]) != 0) return none;
+    const auto other = exact::plane_through(body_.grid_points[c[0]], body_.grid_points[c[1]], body_.grid_points[c[2]]);
+    return other && *other == plane ? mate : none;
+  }
+
+  void finish_face() {
+    TouchedFace& face = out_.faces.back();
+    const auto index = static_cast<std::uint32_t>(out_.faces.size() - 1);
+    const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
+    for (std::uint32_t f : members_) {
+      out_.face_of[base_ + f] = index;
+      face.box.add(face_box(body_, f));
+      if (f < triangles) continue;
+      for (std::uint32_t j = body_.polygon_loops[f - triangles]; j < body_.polygon_loops[f - triangles + 1]; ++j) {
+        const auto loop = body_.loop(j);
+        if (loop.size() == 1) out_.isolated.push_back(table_id(loop[0]));
+        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
+          add_edge(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+      }
+    }
+    face.edges_end = static_cast<std::uint32_t>(out_.edges.size());
+    face.isolated_end = static_cast<std::uint32_t>(out_.isolated.size());
+  }
+
+  std::uint32_t table_id(std::uint32_t v) {
+    std::uint32_t& id = vertex_of_[v];
+    if (id == none)
+      id = body_.is_grid(v) ? vertices_.id(body_.grid_points[v]) : vertices_.id(body_.points[v - body_.grid_points.size()]);
+    return id;
+  }
+
+  void add_edge(std::uint32_t u, std::uint32_t v) {
+    out_.edges.push_back({table_id(u), table_id(v), none});
+    local_.push_back({u, v});
+  }
+
+  /// Gives every edge of this operand its other plane and lists the untouched faces that hang at it.
+  void find_other_planes() {
+    const std::size_t first = out_.edges.size() - local_.size();
+    std::size_t at = first;
+    for (std::size_t i = 0; i < out_.faces.size(); ++i) {
+      if (out_.faces[i].operand != operand_) continue;
+      const TouchedFace& face = out_.faces[i];
+      for (; at < face.edges_end; ++at) {
+        BoundaryEdge& e = out_.edges[at];
+        const LocalEdge& l = local_[at - first];
+        adjacency_.faces_at_edge(l.u, l.v, [&](std::uint32_t f, bool forward) {
+          const std::uint32_t g = out_.face_of[base_ + f];
+          if (g == i) return;
+          const std::uint32_t plane = g == none ? planes_.id(body_.plane(f)) : out_.faces[g].sheet;
+          if (plane != face.sheet) e.other = plane;
+          if (g == none)
+            out_.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, operand_, f});
+        });
+        if (e.other == none) e.other = planes_.id(axis_parallel(l, planes_[face.sheet]));
+      }
+    }
+  }
+
+  /// The plane through an edge and the axis in which the given plane's normal is largest. That axis is not parallel to
+  /// the edge (the edge is perpendicular to the normal), and the new plane's normal lacks that component, so the two
+  /// planes are not parallel. Its coefficients are edge lengths, at most 2^30.
+  exact::Plane axis_parallel(const LocalEdge& e, const exact::Plane& plane) const {
+    assert(body_.is_grid(e.u) && body_.is_grid(e.v));
+    const exact::GridPoint &p = body_.grid_points[e.u], &q = body_.grid_points[e.v];
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(plane.n[i]) > std::abs(plane.n[k])) k = i;
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    std::array<std::int64_t, 3> n{};
+    n[i] = std::int64_t{q.c[j]} - p.c[j];
+    n[j] = std::int64_t{p.c[i]} - q.c[i];
+    return exact::reduced_plane(n, -(exact::int128(n[i]) * p.c[i] + exact::int128(n[j]) * p.c[j]));
+  }
+
+  const Body& body_;
+  const std::uint32_t operand_, base_;
+  std::vector<std::uint8_t>& touched_;
+  VertexTable& vertices_;
+  PlaneTable& planes_;
+  TouchedFaces& out_;
+  const Adjacency& adjacency_;
+  std::vector<std::uint32_t>& vertex_of_;
+  std::vector<std::uint32_t> members_;
+  std::vector<LocalEdge> local_;  // of all edges of this operand, parallel to the tail of out_.edges
+};
+
+}  // namespace
+
+TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>& touched, VertexTable& vertices,
+                             PlaneTable& planes) {
+  TouchedFaces out;
+  const std::size_t n = operands.bodies.size();
+  out.face_of.assign(operands.face_count(), none);
+  out.vertex_of.resize(n);
+  out.adjacency.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto first = touched.begin() + operands.base[i], last = touched.begin() + operands.base[i + 1];
+    if (std::find(first, last, 1) == last) continue;
+    out.adjacency[i] = std::make_unique<Adjacency>(*operands.bodies[i]);
+    out.vertex_of[i].assign(operands.bodies[i]->vertex_count(), none);
+    Collector(operands, i, touched, vertices, planes, out).run();
+  }
+  return out;
+}
+
+}  // namespace quoin::booleans

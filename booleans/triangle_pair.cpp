@@ -1,0 +1,68 @@
+#include "booleans/triangle_pair.h"
+
+#include <algorithm>
+
+namespace quoin::booleans {
+
+using exact::GridPoint;
+
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+  std::array<std::int64_t, 3> u{}, v{}, w{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = std::int64_t{b.c[k]} - a.c[k];
+    v[k] = std::int64_t{c.c[k]} - a.c[k];
+    w[k] = std::int64_t{d.c[k]} - a.c[k];
+  }
+  const exact::int128 det = exact::int128(u[1] * v[2] - u[2] * v[1]) * w[0] + exact::int128(u[2] * v[0] - u[0] * v[2]) * w[1] +
+                            exact::int128(u[0] * v[1] - u[1] * v[0]) * w[2];
+  return det > 0 ? 1 : det < 0 ? -1 : 0;
+}
+
+namespace {
+
+/// Orientation of three points projected along axis k; products of differences are below 2^61.
+int projected(const GridPoint& a, const GridPoint& b, const GridPoint& c, std::size_t k) {
+  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  const std::int64_t det = (std::int64_t{b.c[i]} - a.c[i]) * (std::int64_t{c.c[j]} - a.c[j]) -
+                           (std::int64_t{b.c[j]} - a.c[j]) * (std::int64_t{c.c[i]} - a.c[i]);
+  return det > 0 ? 1 : det < 0 ? -1 : 0;
+}
+
+bool in_projected_triangle(const GridPoint& p, const GridTriangle& t, std::size_t k) {
+  const int a = projected(t[0], t[1], p, k), b = projected(t[1], t[2], p, k), c = projected(t[2], t[0], p, k);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool on_projected_segment(const GridPoint& p, const GridPoint& a, const GridPoint& b, std::size_t k) {
+  for (const std::size_t i : {(k + 1) % 3, (k + 2) % 3})
+    if (p.c[i] < std::min(a.c[i], b.c[i]) || p.c[i] > std::max(a.c[i], b.c[i])) return false;
+  return true;
+}
+
+bool segments_meet(const GridPoint& p, const GridPoint& q, const GridPoint& a, const GridPoint& b, std::size_t k) {
+  const int pa = projected(a, b, p, k), qa = projected(a, b, q, k), ap = projected(p, q, a, k), bp = projected(p, q, b, k);
+  if (pa * qa < 0 && ap * bp < 0) return true;
+  return (pa == 0 && on_projected_segment(p, a, b, k)) || (qa == 0 && on_projected_segment(q, a, b, k)) ||
+         (ap == 0 && on_projected_segment(a, p, q, k)) || (bp == 0 && on_projected_segment(b, p, q, k));
+}
+
+bool meet_in_plane(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
+  std::size_t k = 0;
+  while (projected(t[0], t[1], t[2], k) == 0) ++k;
+  if (in_projected_triangle(p, t, k) || in_projected_triangle(q, t, k)) return true;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (segments_meet(p, q, t[i], t[(i + 1) % 3], k)) return true;
+  return false;
+}
+
+}  // namespace
+
+bool meet(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
+  const int sp = orientation(t[0], t[1], t[2], p), sq = orientation(t[0], t[1], t[2], q);
+  if (sp * sq > 0) return false;
+  if (sp == 0 && sq == 0) return meet_in_plane(p, q, t);
+  const int a = orientation(p, q, t[0], t[1]), b = orientation(p, q, t[1], t[2]), c = orientation(p, q, t[2], t[0]);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+}  // namespace quoin::booleans

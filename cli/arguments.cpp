@@ -1,0 +1,262 @@
+#include "arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "help.h"
+
+namespace quoin::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr unsigned max_threads = 1024;
+
+constexpr std::array<std::pair<std::string_view, Format>, 7> formats = {{{"stl", Format::stl},
+                                                                         {"stl-ascii", Format::stl_ascii},
+                                                                         {"obj", Format::obj},
+                                                                         {"off", Format::off},
+                                                                         {"ply", Format::ply},
+                                                                         {"ply-ascii", Format::ply_ascii},
+                                                                         {"quoin", Format::quoin}}};
+
+/// Values that still need a look after the words are parsed.
+struct RawOptions {
+  std::string plane;
+  std::optional<std::string> step, format, topology;
+  bool version = false;
+};
+
+Error usage(std::string message) { return {.code = "usage", .message = std::move(message)}; }
+
+bool value_option(const std::string& word) {
+  return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format";
+}
+
+bool answered(const Words& words, std::string_view long_name, std::string_view short_name) {
+  return std::any_of(words.begin(), words.end(), [&](const auto& w) { return w == long_name || w == short_name; });
+}
+
+/// `quoin --json info A` means `quoin info A --json`: moves leading common options behind the command.
+/// Returns the number of leading words moved.
+std::size_t move_leading_options(Words& words) {
+  std::size_t i = 0;
+  while (i < words.size() && words[i].size() > 1 && words[i][0] == '-') i += value_option(words[i]) ? 2 : 1;
+  if (i >= words.size()) return i;
+  // They go right behind the command, ahead of any "--".
+  std::rotate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(i),
+              words.begin() + static_cast<std::ptrdiff_t>(i + 1));
+  return i;
+}
+
+/// One app a command, without subcommands: a file may be called "union".
+std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOptions& raw) {
+  auto app = std::make_unique<CLI::App>(help.summary, std::string("quoin ") + help.name);
+  app->footer(std::string("\n") + help.examples);
+  app->set_help_flag("-h,--help", "This text.");
+  const bool many = a.command == Command::unite || a.command == Command::intersect || a.command == Command::subtract ||
+                    a.command == Command::symmetric_difference;
+  auto* inputs = app->add_option("FILES", a.inputs, many ? "Two operands or more." : "The solid.")->required();
+  many ? inputs->expected(2, CLI::detail::expected_max_vector_size) : inputs->expected(1);
+  if (a.command != Command::info && a.command != Command::check) {
+    const bool two = a.command == Command::split;
+    app->add_option("-o,--output", a.outputs, two ? "Files to write: ABOVE BELOW." : "File to write.")
+        ->required()
+        ->expected(two ? 2 : 1)
+        // Without this a vector option would also take the operands behind it.
+        ->allow_extra_args(false);
+    app->add_option("--output-topology", raw.topology,
+                    "manifold (default): every edge of the written mesh has two triangles, parts that only touch are "
+                    "separated; indexed: vertices are shared wherever they coincide.");
+  }
+  if (a.command == Command::split) {
+    // An option of exactly one value takes the next word whatever it starts with: "-1,0,0,5" needs no "=".
+    app->add_option("--plane", raw.plane, "a,b,c,d of a x + b y + c z + d = 0, model units.")->required();
+  }
+  app->add_option("--step", raw.step, "Grid step in model units, e.g. 1/1000 or 0.001; default: fits the operands.");
+  app->add_flag("--trust", a.trust, "Skip the proof that no operand crosses itself.");
+  app->add_option("--format", raw.format,
+                  "stl, stl-ascii, obj, off, ply, ply-ascii or quoin: what \"-\" is, and files without a known "
+                  "extension; also chooses the ASCII variant for an output .stl or .ply.");
+  app->add_option("--threads", a.threads, "Worker threads; 0 (default): all. The result is the same for any number.")
+      ->check(CLI::Range(0U, max_threads));
+  app->add_flag("--json", a.json, "One JSON object on standard output, nothing else there.");
+  app->add_flag("--stats", a.stats, "Also say how many signs each rung of the arithmetic decided.");
+  app->add_flag("--quiet", a.quiet, "No summary and no progress.");
+  app->add_flag("--version", raw.version, "Version, commit, compiler, format version.");
+  return app;
+}
+
+enum class Number { malformed, zero, other };
+
+/// Removes leading digits from `text`; returns how many, and clears `zero` at the first that is not 0.
+std::size_t take_digits(std::string_view& text, bool& zero) {
+  std::size_t count = 0;
+  for (; count < text.size() && text[count] >= '0' && text[count] <= '9'; ++count) zero = zero && text[count] == '0';
+  text.remove_prefix(count);
+  return count;
+}
+
+bool take(std::string_view& text, std::string_view any_of) {
+  if (text.empty() || any_of.find(text[0]) == std::string_view::npos) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+/// "-0.5", ".5", "1e-3".
+Number decimal_kind(std::string_view text) {
+  bool zero = true;
+  take(text, "+-");
+  std::size_t count = take_digits(text, zero);
+  if (take(text, ".")) count += take_digits(text, zero);
+  if (count == 0) return Number::malformed;
+  if (take(text, "eE")) {
+    bool ignored = true;
+    take(text, "+-");
+    if (take_digits(text, ignored) == 0) return Number::malformed;
+  }
+  if (!text.empty()) return Number::malformed;
+  return zero ? Number::zero : Number::other;
+}
+
+/// A decimal, or a quotient of two.
+Number number_kind(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return decimal_kind(text);
+  if (decimal_kind(text.substr(slash + 1)) != Number::other) return Number::malformed;
+  return decimal_kind(text.substr(0, slash));
+}
+
+Result<HalfSpace> parse_plane(const std::string& text) {
+  HalfSpace plane;
+  std::size_t begin = 0;
+  bool normal = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (i == 3)) return usage("--plane needs four numbers a,b,c,d");
+    plane.plane[i] = text.substr(begin, i == 3 ? std::string::npos : comma - begin);
+    begin = comma + 1;
+    const Number kind = number_kind(plane.plane[i]);
+    if (kind == Number::malformed) {
+      return usage("--plane: \"" + plane.plane[i] + "\" is neither a decimal nor a rational p/q");
+    }
+    if (i < 3 && kind == Number::other) normal = true;
+  }
+  if (!normal) return usage("--plane: one of a, b, c must differ from 0");
+  return plane;
+}
+
+Result<void> read_values(const RawOptions& raw, Arguments& a) {
+  if (raw.format) {
+    const auto* found =
+        std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.first == *raw.format; });
+    if (found == formats.end()) {
+      return usage("--format must be stl, stl-ascii, obj, off, ply, ply-ascii or quoin, not \"" + *raw.format + "\"");
+    }
+    a.format = found->second;
+  }
+  if (raw.topology) {
+    if (*raw.topology != "manifold" && *raw.topology != "indexed") {
+      return usage("--output-topology must be manifold or indexed, not \"" + *raw.topology + "\"");
+    }
+    a.topology = *raw.topology == "manifold" ? Topology::manifold : Topology::indexed;
+  }
+  if (raw.step) {
+    const auto grid = Grid::with_step(*raw.step);
+    if (!grid) return usage("--step: " + grid.error().message);
+    a.grid = grid.value();
+  }
+  if (a.command != Command::split) return {};
+  const auto plane = parse_plane(raw.plane);
+  if (!plane) return plane.error();
+  a.plane = plane.value();
+  return {};
+}
+
+/// What no single option can see.
+Result<void> check_streams(const Arguments& a) {
+  const auto from_stdin = std::count(a.inputs.begin(), a.inputs.end(), "-");
+  if (from_stdin > 1) return usage("standard input can be read once only");
+  if (from_stdin + (a.writes_to_stdout() ? 1 : 0) > 0 && !a.format) return usage("\"-\" needs --format");
+  if (a.json && a.writes_to_stdout()) return usage("--json and \"-o -\" cannot share standard output");
+  if (a.outputs.size() == 2 && a.outputs[0] == a.outputs[1]) return usage("the two outputs must differ");
+  const auto empty = [](const std::string& path) { return path.empty(); };
+  if (std::any_of(a.inputs.begin(), a.inputs.end(), empty) || std::any_of(a.outputs.begin(), a.outputs.end(), empty)) {
+    return usage("a file name is empty");
+  }
+  return {};
+}
+
+Error unknown_command(const std::string& name) {
+  std::string message = "there is no command \"" + name + "\"";
+  if (const auto* help = closest_command(name)) message += std::string(", perhaps ") + help->name + " is meant";
+  return usage(message + "; see quoin --help");
+}
+
+}  // namespace
+
+bool Arguments::writes_to_stdout() const { return std::find(outputs.begin(), outputs.end(), "-") != outputs.end(); }
+
+Result<Format> Arguments::output_format(const std::string& path) const {
+  const auto named = path == "-" ? Result<Format>(*format) : format_of(path);
+  if (!named) {
+    if (format) return *format;
+    Error error = named.error();
+    error.file = path;
+    return error;
+  }
+  if (named.value() == Format::stl && format == Format::stl_ascii) return Format::stl_ascii;
+  if (named.value() == Format::ply && format == Format::ply_ascii) return Format::ply_ascii;
+  return named;
+}
+
+std::optional<Format> Arguments::input_format(const std::string& path) const {
+  if (path != "-" && format_of(path)) return {};
+  return format;
+}
+
+bool json_wanted(const std::vector<std::string>& words) {
+  const auto end = std::find(words.begin(), words.end(), "--");
+  return std::find(words.begin(), end, "--json") != end;
+}
+
+Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string> words) {
+  using Parsed = std::variant<Arguments, Answer>;
+  const bool json = json_wanted(words);
+  const std::size_t leading = move_leading_options(words);
+  if (leading >= words.size()) {
+    if (answered(words, "--help", "-h")) return Parsed(Answer{general_help()});
+    if (answered(words, "--version", "--version")) return Parsed(Answer{version_text(json)});
+    return usage(words.empty() ? "a command is missing; see quoin --help"
+                               : "a command is missing after \"" + words.back() + "\"; see quoin --help");
+  }
+  const CommandHelp* help = find_command(words[0]);
+  if (help == nullptr) return unknown_command(words[0]);
+  Arguments arguments;
+  arguments.command = help->command;
+  arguments.name = help->name;
+  RawOptions raw;
+  const auto app = make_app(*help, arguments, raw);
+  words.erase(words.begin());
+  const auto dashes = std::find(words.begin(), words.end(), "--");
+  if (std::find(words.begin(), dashes, "--version") != dashes) return Parsed(Answer{version_text(json)});
+  // CLI11 takes the words last first.
+  std::reverse(words.begin(), words.end());
+  try {
+    app->parse(std::move(words));
+  } catch (const CLI::CallForHelp&) {
+    return Parsed(Answer{app->help()});
+  } catch (const CLI::ParseError& error) {
+    return usage(std::string(help->name) + ": " + error.what() + "; see quoin " + help->name + " --help");
+  }
+  if (const auto read = read_values(raw, arguments); !read) return read.error();
+  if (const auto checked = check_streams(arguments); !checked) return checked.error();
+  return Parsed(std::move(arguments));
+}
+
+}  // namespace quoin::cli

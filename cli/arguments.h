@@ -1,0 +1,54 @@
+/// \file
+/// The words of a command line, understood: which command, which operands, which options.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <quoin/quoin.h>
+
+namespace quoin::cli {
+
+enum class Command { unite, intersect, subtract, symmetric_difference, complement, split, info, check, convert };
+
+struct Arguments {
+  Command command = Command::info;
+  /// As typed, e.g. "symmetric-difference".
+  std::string name;
+  std::vector<std::string> inputs;
+  /// None for info and check, two for split (above, below), otherwise one.
+  std::vector<std::string> outputs;
+  /// Of split.
+  HalfSpace plane;
+  std::optional<Grid> grid;
+  std::optional<Format> format;
+  Topology topology = Topology::manifold;
+  unsigned threads = 0;
+  bool json = false;
+  bool trust = false;
+  bool stats = false;
+  bool quiet = false;
+
+  /// Some output is standard output.
+  bool writes_to_stdout() const;
+  /// The format of an output. Errors: "unknown-format".
+  Result<Format> output_format(const std::string& path) const;
+  /// What to tell the reader about an input; nothing when content and extension suffice.
+  std::optional<Format> input_format(const std::string& path) const;
+};
+
+/// Text asked for by --help or --version: to be printed, exit code 0.
+struct Answer {
+  std::string text;
+};
+
+/// `words`: the command line without the program's name.
+/// Errors: "usage", with a sentence that says what would be right.
+Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string> words);
+
+/// Whether the words ask for --json, also when they cannot be understood otherwise.
+bool json_wanted(const std::vector<std::string>& words);
+
+}  // namespace quoin::cli

@@ -1,0 +1,326 @@
+#include "commands.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "output.h"
+#include "signals.h"
+
+namespace quoin::cli {
+namespace {
+
+/// What all commands share while they run.
+struct Session {
+  const Arguments& arguments;
+  StageTimes times = {};
+  ProgressLine progress;
+
+  explicit Session(const Arguments& a) : arguments(a), progress(!a.quiet && !a.json) {}
+
+  Options options(const char* what) {
+    return {.progress = progress.show(what), .cancel = &cancel_flag(), .threads = arguments.threads};
+  }
+};
+
+/// The operands on one grid, with what import did to each.
+struct Operands {
+  std::vector<Solid> solids;
+  std::vector<ImportReport> reports;
+
+  double max_snap() const {
+    double largest = 0;
+    for (const auto& report : reports) largest = std::max(largest, report.max_snap);
+    return largest;
+  }
+};
+
+/// One solid on its way to a file.
+struct Output {
+  std::string path;
+  Solid solid;
+  Info info = {};
+  ExportReport report = {};
+  std::string bytes = {};
+};
+
+Error cancelled_error() { return {.code = "cancelled", .message = "interrupted"}; }
+
+/// A stage that ended well just as the signal came counts as interrupted.
+template <class T>
+Result<T> unless_cancelled(Result<T> result) {
+  if (cancel_flag().load()) return cancelled_error();
+  return result;
+}
+
+/// Runs a stage that polls the cancel flag, in front of the progress line.
+template <class Work>
+auto polled_stage(Session& session, Stage stage, Work&& work) {
+  const PolledStage guard;
+  auto result = session.times.measure(stage, work);
+  session.progress.clear();
+  return unless_cancelled(std::move(result));
+}
+
+Result<Info> measured_info(const Solid& solid, Session& session) {
+  const PolledStage guard;
+  Result<Info> info = solid.info(session.options("measuring"));
+  session.progress.clear();
+  return unless_cancelled(std::move(info));
+}
+
+Result<Operands> load(Session& session, Trust trust) {
+  const Arguments& a = session.arguments;
+  std::vector<Source> sources;
+  sources.reserve(a.inputs.size());
+  for (const auto& path : a.inputs) {
+    auto source = session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path)); });
+    if (!source) return source.error();
+    sources.push_back(std::move(source).value());
+  }
+  Operands operands;
+  auto solids = polled_stage(session, Stage::build, [&] {
+    const ImportOptions options = {.grid = a.grid, .trust = trust, .run = session.options("building")};
+    return build(std::move(sources), options, &operands.reports);
+  });
+  if (!solids) return solids.error();
+  operands.solids = std::move(solids).value();
+  return operands;
+}
+
+Result<Operands> load(Session& session) {
+  return load(session, session.arguments.trust ? Trust::embedded : Trust::nothing);
+}
+
+/// The Boolean of the command; one solid, two for split.
+Result<std::vector<Solid>> compute(Session& session, const std::vector<Solid>& solids) {
+  const Arguments& a = session.arguments;
+  const Options options = session.options("computing");
+  const auto one = [](Result<Solid> solid) -> Result<std::vector<Solid>> {
+    if (!solid) return solid.error();
+    return std::vector<Solid>{std::move(solid).value()};
+  };
+  switch (a.command) {
+    case Command::unite:
+      return one(unite(solids, options));
+    case Command::intersect:
+      return one(intersect(solids, options));
+    case Command::subtract:
+      return one(difference(solids[0], {solids.begin() + 1, solids.end()}, options));
+    case Command::symmetric_difference:
+      return one(symmetric_difference(solids, options));
+    case Command::complement:
+      return one(evaluate(Expression::complement_of(solids[0]), options));
+    case Command::split: {
+      auto parts = split(solids[0], a.plane, options);
+      if (!parts) return parts.error();
+      return std::vector<Solid>(parts.value().begin(), parts.value().end());
+    }
+    case Command::convert:
+    case Command::info:
+    case Command::check:
+      break;
+  }
+  return solids;
+}
+
+/// Refuses an output that could only fail after the work is done.
+Result<void> check_output(const Arguments& a, const std::string& path) {
+  if (const auto format = a.output_format(path); !format) return format.error();
+  if (path == "-") return {};
+  const auto slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  struct stat status = {};
+  // What exists is judged when it is written: it may be a link to another folder, or a device.
+  if (::lstat(path.c_str(), &status) == 0) {
+    if (!S_ISDIR(status.st_mode)) return {};
+    return Error{.code = "unwritable", .message = "the output is a folder", .file = path};
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
+  return Error{.code = "unwritable", .message = "the folder of the output is missing or not writable", .file = path};
+}
+
+/// Fills in the bytes of the file, and what rounding did.
+Result<void> format_output(Session& session, Output& output) {
+  const Arguments& a = session.arguments;
+  const auto format = a.output_format(output.path);
+  if (!format) return format.error();
+  if (format.value() == Format::quoin) {
+    output.bytes = session.times.measure(Stage::write, [&] { return output.solid.to_quoin(); });
+    return {};
+  }
+  auto mesh = session.times.measure(Stage::export_triangles, [&] {
+    const ExportOptions options = {.topology = a.topology, .float32 = format.value() == Format::stl};
+    return output.solid.to_triangles(options, &output.report);
+  });
+  if (!mesh) {
+    Error error = mesh.error();
+    error.file = output.path;
+    return error;
+  }
+  output.bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
+  return {};
+}
+
+std::string summary(const Output& output) {
+  const Info& info = output.info;
+  const auto count = [](std::uint64_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  std::string text = output.path + ": ";
+  if (!info.bounded) {
+    text += "unbounded, ";
+  } else {
+    text += output.solid.is_empty() ? "empty, " : "volume " + decimal(info.volume_approx) + ", ";
+  }
+  text += count(info.faces, "face") + ", " + count(info.shells, "shell") + "\n";
+  const ExportReport& report = output.report;
+  if (report.flipped + report.collapsed > 0) {
+    text += "  rounding flipped " + count(report.flipped, "triangle") + " and collapsed " +
+            std::to_string(report.collapsed) + "\n";
+  }
+  if (!report.closed) text += "  the written mesh is not closed\n";
+  return text;
+}
+
+std::string seconds_text(double seconds) {
+  std::array<char, 48> line = {};
+  std::snprintf(line.data(), line.size(), "seconds %.3g\n", seconds);
+  return line.data();
+}
+
+std::string import_summary(const Arguments& a, const Operands& operands) {
+  std::string text = "largest snap " + decimal(operands.max_snap()) + "\n";
+  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
+    const auto crossings = operands.reports[i].resolved_crossings;
+    if (crossings > 0) text += a.inputs[i] + ": resolved crossings " + std::to_string(crossings) + "\n";
+  }
+  return text;
+}
+
+Json imports_json(const Arguments& a, const Operands& operands) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
+    list.push_back(import_json(a.inputs[i], operands.reports[i]));
+  }
+  return list;
+}
+
+Json output_json(const Output& output) {
+  Json object = info_json(output.solid, output.info);
+  object["export"] = export_json(output.report);
+  return object;
+}
+
+Json result_json(const Session& session, const Operands& operands, const std::vector<Output>& outputs) {
+  Json object;
+  if (outputs.size() == 2) {
+    object["above"] = output_json(outputs[0]);
+    object["below"] = output_json(outputs[1]);
+  } else {
+    object = output_json(outputs[0]);
+  }
+  session.times.add_to(object);
+  object["peak_rss_bytes"] = peak_memory();
+  object["max_snap"] = operands.max_snap();
+  object["import"] = imports_json(session.arguments, operands);
+  return object;
+}
+
+/// Prints the object with --json, otherwise the text; the counters of --stats follow.
+Result<void> say(const Arguments& a, Json object, const std::string& text) {
+  if (a.json) {
+    if (a.stats) object["statistics"] = statistics_json();
+    return print(object);
+  }
+  const std::string all = text + (a.stats ? statistics_text() : "");
+  if (!a.writes_to_stdout()) return print(all);
+  std::fputs(all.c_str(), stderr);
+  return {};
+}
+
+Result<void> run_info(Session& session) {
+  const auto operands = load(session);
+  if (!operands) return operands.error();
+  const Solid& solid = operands.value().solids[0];
+  const auto info = measured_info(solid, session);
+  if (!info) return info.error();
+  Json object = info_json(solid, info.value());
+  object["max_snap"] = operands.value().max_snap();
+  object["import"] = imports_json(session.arguments, operands.value());
+  return say(session.arguments, std::move(object),
+             info_text(solid, info.value()) + import_summary(session.arguments, operands.value()));
+}
+
+Result<void> run_check(Session& session) {
+  const Arguments& a = session.arguments;
+  const auto operands = load(session, Trust::nothing);
+  if (!operands) return operands.error();
+  const ImportReport& report = operands.value().reports[0];
+  Json object;
+  object["valid"] = true;
+  object["closed"] = true;
+  object["bounded"] = operands.value().solids[0].is_bounded();
+  object.update(import_json(a.inputs[0], report));
+  object["step"] = operands.value().solids[0].grid().step();
+  return say(a, std::move(object), a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report));
+}
+
+/// Every command that writes.
+Result<void> run_writing(Session& session) {
+  const Arguments& a = session.arguments;
+  for (const auto& path : a.outputs) {
+    if (const auto checked = check_output(a, path); !checked) return checked.error();
+  }
+  auto operands = load(session);
+  if (!operands) return operands.error();
+  auto results = polled_stage(session, Stage::boolean, [&] { return compute(session, operands.value().solids); });
+  if (!results) return results.error();
+  operands.value().solids.clear();
+
+  std::vector<Output> outputs;
+  for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value()[i]});
+  results.value().clear();
+  for (auto& output : outputs) {
+    if (const auto formatted = format_output(session, output); !formatted) return formatted.error();
+    if (!a.json && a.quiet) continue;
+    const auto info = measured_info(output.solid, session);
+    if (!info) return info.error();
+    output.info = info.value();
+  }
+  // Nothing is written before everything is ready.
+  for (const auto& output : outputs) {
+    const auto written = session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes); });
+    if (!written) return written.error();
+  }
+  if (a.json) return say(a, result_json(session, operands.value(), outputs), "");
+  std::string text;
+  if (!a.quiet) {
+    for (const auto& output : outputs) text += summary(output);
+    text += import_summary(a, operands.value()) + seconds_text(session.times.total_seconds());
+  }
+  return say(a, {}, text);
+}
+
+}  // namespace
+
+Result<void> run_command(const Arguments& arguments) {
+  Session session(arguments);
+  switch (arguments.command) {
+    case Command::info:
+      return run_info(session);
+    case Command::check:
+      return run_check(session);
+    default:
+      return run_writing(session);
+  }
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,218 @@
+#include "output.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <numeric>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace quoin::cli {
+namespace {
+
+constexpr std::array<const char*, stage_count> stage_names = {"read", "build", "boolean", "export", "write"};
+
+double clock_seconds(clockid_t clock) {
+  timespec time = {};
+  ::clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Json stages_json(const std::array<double, stage_count>& seconds) {
+  Json object;
+  for (std::size_t i = 0; i < stage_count; ++i) object[stage_names[i]] = seconds[i];
+  object["total"] = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  return object;
+}
+
+/// Control characters would break the promise of one line, or talk to the terminal.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
+std::string dump(const Json& object) { return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+const char* yes_or_no(bool value) { return value ? "yes" : "no"; }
+
+std::string corner(const std::array<double, 3>& point) {
+  return decimal(point[0]) + " " + decimal(point[1]) + " " + decimal(point[2]);
+}
+
+}  // namespace
+
+StageTimes::Span::Span(StageTimes& times, Stage stage)
+    : times_(times),
+      stage_(static_cast<std::size_t>(stage)),
+      wall_(clock_seconds(CLOCK_MONOTONIC)),
+      cpu_(clock_seconds(CLOCK_PROCESS_CPUTIME_ID)) {}
+
+StageTimes::Span::~Span() {
+  times_.wall_[stage_] += clock_seconds(CLOCK_MONOTONIC) - wall_;
+  times_.cpu_[stage_] += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_;
+}
+
+void StageTimes::add_to(Json& object) const {
+  object["seconds"] = stages_json(wall_);
+  object["cpu_seconds"] = stages_json(cpu_);
+}
+
+double StageTimes::total_seconds() const { return std::accumulate(wall_.begin(), wall_.end(), 0.0); }
+
+ProgressLine::ProgressLine(bool wanted) : enabled_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+Progress ProgressLine::show(const char* what) {
+  if (!enabled_) return {};
+  return [this, what, last = -1](double fraction) mutable {
+    const int percent = static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0));
+    if (percent == last) return;
+    last = percent;
+    shown_ = true;
+    std::fprintf(stderr, "\r\033[Kquoin: %s %d %%", what, percent);
+    std::fflush(stderr);
+  };
+}
+
+void ProgressLine::clear() {
+  if (!shown_) return;
+  std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+std::string decimal(double value) {
+  std::array<char, 32> buffer = {};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+Json info_json(const Solid& solid, const Info& info) {
+  Json object;
+  object["vertices"] = info.vertices;
+  object["edges"] = info.edges;
+  object["faces"] = info.faces;
+  object["triangles"] = info.triangles;
+  object["shells"] = info.shells;
+  object["genus"] = info.genus;
+  object["closed"] = info.closed;
+  object["manifold"] = info.manifold;
+  object["bounded"] = info.bounded;
+  object["volume"] = info.bounded ? Json(info.volume) : Json(nullptr);
+  object["volume_approx"] = info.bounded ? Json(info.volume_approx) : Json(nullptr);
+  object["area_approx"] = info.area_approx;
+  object["box"] = info.box ? Json(*info.box) : Json(nullptr);
+  object["step"] = solid.grid().step();
+  return object;
+}
+
+Json import_json(const std::string& file, const ImportReport& report) {
+  Json object;
+  object["file"] = file;
+  object["max_snap"] = report.max_snap;
+  object["merged_points"] = report.merged_points;
+  object["zero_area_triangles"] = report.zero_area_triangles;
+  object["nonplanar_polygons"] = report.nonplanar_polygons;
+  object["resolved_crossings"] = report.resolved_crossings;
+  return object;
+}
+
+Json export_json(const ExportReport& report) {
+  Json object;
+  object["flipped"] = report.flipped;
+  object["collapsed"] = report.collapsed;
+  object["closed"] = report.closed;
+  return object;
+}
+
+Json statistics_json() {
+  const Statistics counts = statistics();
+  Json object;
+  object["symbolic"] = counts.symbolic;
+  object["filter"] = counts.filter;
+  object["fixed_width"] = counts.fixed_width;
+  object["rational"] = counts.rational;
+  return object;
+}
+
+std::string table(const std::vector<std::array<std::string, 2>>& rows) {
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row[0].size());
+  std::string text;
+  for (const auto& row : rows) text += row[0] + std::string(width + 2 - row[0].size(), ' ') + row[1] + "\n";
+  return text;
+}
+
+std::string info_text(const Solid& solid, const Info& info) {
+  std::vector<std::array<std::string, 2>> rows = {
+      {"vertices", std::to_string(info.vertices)}, {"edges", std::to_string(info.edges)},
+      {"faces", std::to_string(info.faces)},       {"triangles", std::to_string(info.triangles)},
+      {"shells", std::to_string(info.shells)},     {"genus", std::to_string(info.genus)},
+      {"closed", yes_or_no(info.closed)},          {"manifold", yes_or_no(info.manifold)},
+      {"bounded", yes_or_no(info.bounded)}};
+  rows.push_back({"volume", info.bounded ? info.volume : "infinite"});
+  if (info.bounded) rows.push_back({"volume, about", decimal(info.volume_approx)});
+  rows.push_back({"area, about", decimal(info.area_approx)});
+  rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
+  rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});
+  rows.push_back({"grid step", solid.grid().step()});
+  return table(rows);
+}
+
+std::string import_text(const ImportReport& report) {
+  return table({{"largest snap", decimal(report.max_snap)},
+                {"merged points", std::to_string(report.merged_points)},
+                {"zero-area triangles", std::to_string(report.zero_area_triangles)},
+                {"nonplanar polygons", std::to_string(report.nonplanar_polygons)},
+                {"crossings resolved", std::to_string(report.resolved_crossings)}});
+}
+
+std::string statistics_text() {
+  const Statistics counts = statistics();
+  return table({{"signs, symbolic", std::to_string(counts.symbolic)},
+                {"signs, filter", std::to_string(counts.filter)},
+                {"signs, fixed width", std::to_string(counts.fixed_width)},
+                {"signs, rational", std::to_string(counts.rational)}});
+}
+
+std::size_t peak_memory() {
+  rusage usage = {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  // Linux counts in KiB, macOS in bytes.
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+Result<void> print(const std::string& text) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (std::fflush(stdout) == 0 && whole) return {};
+  return Error{.code = "unwritable", .message = "cannot write to standard output"};
+}
+
+Result<void> print(const Json& object) { return print(dump(object)); }
+
+void print_error(const Error& error, bool json) {
+  if (json) {
+    Json object;
+    object["error"] = {{"code", error.code}, {"message", error.message}, {"file", error.file}, {"where", error.where}};
+    // The sentence below is said in any case.
+    static_cast<void>(print(object));
+  }
+  std::string sentence = error.message;
+  while (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
+  const char* comma = error.file.empty() || error.where.empty() ? "" : ", ";
+  const std::string place = error.file + comma + error.where;
+  std::string line = "quoin: " + sentence + (place.empty() ? "" : " (" + place + ")") + " [" + error.code + "]";
+  line = printable(std::move(line)) + "\n";
+  std::fputs(line.c_str(), stderr);
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,61 @@
+#include "grid/balance.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace quoin::grid {
+
+bool is_balanced(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t point_count) {
+  // Buckets by the smaller end hold the larger end and the direction.
+  std::vector<std::uint32_t> at(point_count + 2);
+  for (const auto& t : triangles) {
+    ++at[std::min(t[0], t[1]) + 2];
+    ++at[std::min(t[1], t[2]) + 2];
+    ++at[std::min(t[2], t[0]) + 2];
+  }
+  for (std::size_t i = 2; i < at.size(); ++i) at[i] += at[i - 1];
+  const auto entries = std::make_unique_for_overwrite<std::uint32_t[]>(3 * triangles.size());
+  const auto enter = [&](std::uint32_t a, std::uint32_t b) {
+    entries[at[std::min(a, b) + 1]++] = std::max(a, b) * 2 + (a > b ? 1U : 0U);
+  };
+  for (const auto& t : triangles) {
+    enter(t[0], t[1]);
+    enter(t[1], t[2]);
+    enter(t[2], t[0]);
+  }
+  // Now bucket i is [at[i], at[i + 1]). Counters are all zero between buckets: `open` is the sum of their magnitudes.
+  std::vector<std::int32_t> counter(point_count);
+  for (std::size_t i = 0; i < point_count; ++i) {
+    std::int64_t open = 0;
+    for (std::uint32_t j = at[i]; j < at[i + 1]; ++j) {
+      std::int32_t& c = counter[entries[j] >> 1];
+      const std::int32_t before = c, after = before + ((entries[j] & 1) != 0 ? -1 : 1);
+      open += (after < 0 ? -after : after) - (before < 0 ? -before : before);
+      c = after;
+    }
+    if (open != 0) return false;
+  }
+  return true;
+}
+
+std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::array<std::uint32_t, 3>> edges;  // smaller end, larger end, whether reversed
+  edges.reserve(3 * triangles.size());
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), a > b ? 1U : 0U});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<OpenEdge> result;
+  for (std::size_t i = 0; i < edges.size();) {
+    const auto [low, high, ignored] = edges[i];
+    std::int64_t sum = 0;
+    for (; i < edges.size() && edges[i][0] == low && edges[i][1] == high; ++i) sum += edges[i][2] != 0 ? -1 : 1;
+    if (sum > 0) result.push_back({low, high, static_cast<std::uint64_t>(sum)});
+    if (sum < 0) result.push_back({high, low, static_cast<std::uint64_t>(-sum)});
+  }
+  return result;
+}
+
+}  // namespace quoin::grid

@@ -1,0 +1,25 @@
+/// \file
+/// Import, step 5: closedness. Every directed edge is balanced by its reverse, multiplicities counted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quoin::grid {
+
+/// Whether the triangles are closed. Corners are below `point_count` <= 2^31. Exact, O(points + triangles).
+bool is_balanced(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t point_count);
+
+/// An edge that occurs `excess` times more from `from` to `to` than back.
+struct OpenEdge {
+  std::uint32_t from, to;
+  std::uint64_t excess;
+  friend bool operator==(const OpenEdge&, const OpenEdge&) = default;
+};
+
+/// All open edges, each once, ordered by (smaller end, larger end); empty for a closed mesh.
+std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
+
+}  // namespace quoin::grid

@@ -1,0 +1,48 @@
+/// \file
+/// The door for meshes: arrays of doubles become closed, coherently oriented triangles of grid points.
+/// What is not examined here: whether the surface crosses or touches itself, and how its shells nest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "exact/geometry.h"
+#include "grid/grid.h"
+#include "quoin/result.h"
+
+namespace quoin::grid {
+
+/// A closed triangle mesh on the lattice. Every directed edge is balanced by its reverse, no triangle has zero area,
+/// points are pairwise distinct, the enclosed signed volume is >= 0.
+/// Points keep the order of their first occurrence in the input; a point that no triangle uses may remain.
+/// Triangles keep the order of the input polygons they come from; those made by sealing stand where the neighbour they
+/// replace stood or at the end.
+struct ImportedMesh {
+  std::vector<exact::GridPoint> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// The largest move of a point by snapping, an upper bound in model units (of Euclidean length); 0 when exact.
+  double max_snap = 0;
+  /// Distinct input positions that became one with an earlier one.
+  std::uint64_t merged_points = 0;
+  /// Input triangles, or triangles of cut polygons, that had zero area after snapping.
+  std::uint64_t zero_area_triangles = 0;
+  /// Polygons of more than three corners that were not planar after snapping.
+  std::uint64_t nonplanar_polygons = 0;
+};
+
+/// Snaps, welds, cuts polygons into triangles, seals T-junctions of zero-area triangles, proves closedness and checks
+/// orientation; all exact, deterministic, O(n log n).
+/// `points`: 3 doubles per vertex, model units. Polygon i has the corners corners[starts[i]] .. corners[starts[i+1]-1],
+/// counter-clockwise from outside; `starts` is non-decreasing and has one entry more than there are polygons, or none.
+/// A coordinate goes to the nearest grid coordinate, ties to even. Every vertex is snapped, used or not.
+/// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work), "bad-index" (also for broken
+/// `starts`), "open-boundary" (`where` is one edge with its ends in model units and its face), "inside-out".
+Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
+                                     std::span<const std::uint32_t> corners, const Lattice& lattice);
+/// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".
+Result<ImportedMesh> import_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                                      const Lattice& lattice);
+
+}  // namespace quoin::grid

@@ -1,0 +1,226 @@
+#include "grid/snap.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "exact/ladder.h"
+#include "exact/predicates.h"
+
+namespace quoin::grid {
+
+using exact::int128;
+using exact::Integer;
+using exact::Rational;
+
+namespace {
+
+constexpr double world = exact::world;
+/// Adding and subtracting it rounds |v| < 2^51 to the nearest integer, ties to even.
+constexpr double rounding_constant = 0x1.8p52;
+
+double nearest(double v) { return (v + rounding_constant) - rounding_constant; }
+
+/// An upper bound of sqrt(squared) steps. The factors cover the roundings of the squares, of the root and of the
+/// products; below 2^-1000 the squares may have underflowed, but then the length is below 2^-499.
+double length_bound(double squared, double step) {
+  const double length = squared < 0x1p-1000 ? 0x1p-499 : std::sqrt(squared) * (1 + 0x1p-49);
+  return std::max(length * step * (1 + 0x1p-50), std::numeric_limits<double>::denorm_min());
+}
+
+/// Step 2^e and origin 0: scaling is exact (or underflows, far below one half). False when some point has no place.
+bool snap_scaled(std::span<const double> points, double step, Snapped& result) {
+  const double scale = 1 / step;
+  double worst = 0;
+  bool moved = false;
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    const double* const p = &points[3 * i];
+    const double x = p[0] * scale, y = p[1] * scale, z = p[2] * scale;
+    const double a = nearest(x), b = nearest(y), c = nearest(z);
+    // Also false for values that are not numbers; beyond 2^51 rounding is not to integers, but still monotone.
+    if (!(std::fabs(a) <= world && std::fabs(b) <= world && std::fabs(c) <= world)) return false;
+    result.points[i] = {{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)}};
+    const double dx = x - a, dy = y - b, dz = z - c;  // exact
+    worst = std::max(worst, dx * dx + dy * dy + dz * dz);
+    moved = moved | (a * step != p[0]) | (b * step != p[1]) | (c * step != p[2]);
+  }
+  if (moved) result.max_snap = length_bound(worst, step);
+  return true;
+}
+
+/// Any other lattice.
+class Snapper {
+ public:
+  explicit Snapper(const Lattice& lattice) : lattice_(lattice), affine_(affine(lattice)) {
+    const double step = exact::to_double(lattice.step);
+    inverse_ = exact::to_double(1 / lattice.step);
+    guarded_ = step > 0x1p-900 && step < 0x1p900;
+    for (std::size_t k = 0; k < 3; ++k) {
+      origin_[k] = exact::to_double(lattice.origin[k]);
+      const double o = std::fabs(origin_[k]);
+      guarded_ = guarded_ && (lattice.origin[k] == 0 || o > 0x1p-900) && o < 0x1p900;
+      slack_[k] = 2 * exact::unit_roundoff * o * inverse_ + 0x1p-60;
+    }
+  }
+
+  /// The nearest grid coordinate, possibly beyond the world, where it is +-2^30; `distance` is an upper bound of the
+  /// move in steps; with `look_closely` it is 0 when there is none. Precondition: v is finite.
+  std::int32_t operator()(double v, std::size_t k, bool look_closely, double& distance) const {
+    if (guarded_) {
+      // With u the unit roundoff, Y = (v - O) / s, o = O (1 + d0), 1 / s rounded (d2), and one rounding each in the
+      // difference (d1) and the product (d3, or 2^-1075 of underflow):
+      //   y - Y = Y ((1 + d1)(1 + d2)(1 + d3) - 1) - (O d0 / s)(1 + d1)(1 + d2)(1 + d3),
+      // at most 3.02 u |y| + 1.02 u |O| / s + 2^-1000: `bound` with slack.
+      const double y = (v - origin_[k]) * inverse_;
+      if (std::fabs(y) < 2 * world) {
+        const double bound = 4 * exact::unit_roundoff * std::fabs(y) + slack_[k];
+        const double m = nearest(y), f = y - m;
+        if (std::fabs(f) + bound < 0.5) {  // holds for the exact sum when it holds for the rounded one
+          distance = std::fabs(f) + bound;
+          if (look_closely && distance < 0x1p-20 && is_exact(v, k, static_cast<std::int32_t>(m))) distance = 0;
+          return static_cast<std::int32_t>(m);
+        }
+        if (bound < 0.25 && affine_) {
+          const auto below = static_cast<std::int32_t>(f < 0 ? m - 1 : m);
+          if (const auto order = compare(v, k, 2 * std::int64_t{below} + 1)) {
+            distance = 0.5;
+            return *order == 0 ? below + (below & 1) : *order < 0 ? below : below + 1;
+          }
+        }
+      }
+    }
+    return snap_exactly(v, k, distance);
+  }
+
+ private:
+  /// The sign of (v - O) / s - twice / 2 by 128-bit integers: 2 v denominator 2^-exponent against
+  /// 2 offset + twice factor. Nothing when they do not fit.
+  std::optional<int> compare(double v, std::size_t k, std::int64_t twice) const {
+    int e = 0;
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
+    int128 left = int128(2 * mantissa) * affine_->denominator;            // below 2^108
+    int128 right = int128(affine_->offset[k]) * 2 + int128(twice) * affine_->factor;  // below 2^56
+    const int shift = v == 0 ? 0 : e - 53 - affine_->exponent;
+    if (shift > 18 || shift < -70) return std::nullopt;
+    if (shift >= 0) left *= int128(1) << shift;
+    else right *= int128(1) << -shift;
+    return left < right ? -1 : left > right ? 1 : 0;
+  }
+
+  bool is_exact(double v, std::size_t k, std::int32_t i) const {
+    if (affine_)
+      if (const auto order = compare(v, k, 2 * std::int64_t{i})) return *order == 0;
+    return exact::to_rational(v) == lattice_.origin[k] + lattice_.step * i;
+  }
+
+  std::int32_t snap_exactly(double v, std::size_t k, double& distance) const {
+    const Rational y = (exact::to_rational(v) - lattice_.origin[k]) / lattice_.step;
+    distance = 0;
+    if (abs(y) > 2 * Rational(exact::world)) return y < 0 ? -2 * exact::world : 2 * exact::world;
+    Integer q, r;
+    divide_qr(numerator(y), denominator(y), q, r);
+    if (r < 0) {
+      --q;
+      r += denominator(y);
+    }
+    const int half = Integer(2 * r).compare(denominator(y));
+    if (half > 0 || (half == 0 && bit_test(Integer(abs(q)), 0))) ++q;
+    const Rational move = abs(y - q);
+    if (move != 0) distance = std::nextafter(exact::to_double(move), 1.0);
+    return static_cast<std::int32_t>(q);
+  }
+
+  Lattice lattice_;
+  std::optional<Affine> affine_;
+  bool guarded_ = false;
+  double inverse_ = 0;
+  std::array<double, 3> origin_ = {}, slack_ = {};
+};
+
+bool snap_any(std::span<const double> points, const Lattice& lattice, Snapped& result) {
+  const Snapper snapper(lattice);
+  double worst = 0;
+  bool moved = false;
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    double squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double v = points[3 * i + k];
+      if (!std::isfinite(v)) return false;
+      double distance = 0;
+      const std::int32_t c = snapper(v, k, !moved, distance);
+      if (c < -exact::world || c > exact::world) return false;
+      result.points[i].c[k] = c;
+      squared += distance * distance;
+      moved = moved | (distance != 0);
+    }
+    worst = std::max(worst, squared);
+  }
+  // One more factor for the step's own rounding.
+  if (moved) result.max_snap = length_bound(worst, exact::to_double(lattice.step)) * (1 + 0x1p-50);
+  return true;
+}
+
+std::string text(double v) {
+  std::array<char, 40> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr};
+}
+
+bool in_world(const Lattice& lattice, double v, std::size_t k) {
+  // The nearest grid coordinate, ties to even, is at most 2^29 exactly up to 2^29 + 1/2.
+  const Rational reach = lattice.step * (Rational(exact::world) + Rational(1, 2));
+  return abs(Rational(exact::to_rational(v) - lattice.origin[k])) <= reach;
+}
+
+/// The least step * 2^j that holds every point.
+Rational sufficient_step(std::span<const double> points, const Lattice& lattice) {
+  std::array<double, 3> low, high;
+  for (std::size_t k = 0; k < 3; ++k) low[k] = high[k] = points[k];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], points[i]);
+    high[i % 3] = std::max(high[i % 3], points[i]);
+  }
+  Lattice wider = lattice;
+  for (std::size_t k = 0; k < 3; ++k)
+    while (!in_world(wider, low[k], k) || !in_world(wider, high[k], k)) wider.step *= 2;
+  return wider.step;
+}
+
+/// Why some point has no place.
+Error refusal(std::span<const double> points, const Lattice& lattice) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i])) {
+      const std::string vertex = std::to_string(i / 3);
+      return {"non-finite", "vertex " + vertex + " has an infinite or undefined coordinate", {},
+              "vertex " + vertex + " " + describe_point(&points[i - i % 3])};
+    }
+  std::size_t i = 0;
+  while (in_world(lattice, points[i], i % 3)) ++i;
+  const std::string vertex = std::to_string(i / 3);
+  return {"out-of-range",
+          "vertex " + vertex + " lies more than 2^29 grid steps from the origin; a step of " +
+              exact::to_string(sufficient_step(points, lattice)) + " would do (it is " +
+              exact::to_string(lattice.step) + ")",
+          {},
+          "vertex " + vertex + " " + describe_point(&points[i - i % 3])};
+}
+
+}  // namespace
+
+std::string describe_point(const double* point) {
+  return "(" + text(point[0]) + ", " + text(point[1]) + ", " + text(point[2]) + ")";
+}
+
+Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
+  assert(points.size() % 3 == 0);
+  Snapped result;
+  result.points.resize(points.size() / 3);
+  const auto a = affine(lattice);
+  const bool scaled = a && a->factor == 1 && a->denominator == 1 && lattice.origin == Lattice{}.origin;
+  const bool fits = scaled ? snap_scaled(points, std::ldexp(1.0, a->exponent), result)
+                           : snap_any(points, lattice, result);
+  if (!fits) return refusal(points, lattice);
+  return Result<Snapped>(std::move(result));
+}
+
+}  // namespace quoin::grid

@@ -1,0 +1,59 @@
+/// \file
+/// Files <-> plain arrays of points and indices. This room knows no geometry and no grid.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quoin/result.h"
+
+namespace quoin::io {
+
+/// A polygon mesh as a file states it.
+/// `points`: x, y, z per vertex in model units, exactly the doubles nearest to the written decimals.
+/// Polygon i has the corners corners[starts[i]] .. corners[starts[i + 1] - 1]; starts has one entry more than there are
+/// polygons (and is {0} for none). Indices are below points.size() / 3, polygons have at least 3 corners: readers
+/// check.
+struct PolygonMesh {
+  std::vector<double> points;
+  std::vector<std::uint32_t> starts = {0};
+  std::vector<std::uint32_t> corners;
+};
+
+enum class Format { stl, stl_ascii, obj, off, ply, ply_ascii };
+
+/// By the file name's extension, any case. Errors: "unknown-format".
+Result<Format> format_of(std::string_view file_name);
+
+/// Reads the bytes of a file. `format` is a hint: content decides where it can. A file of 84 + 50 n bytes for the n it
+/// declares is binary STL under an STL hint, whatever its first word; "ply", "OFF" and "solid" tell their formats.
+/// Never throws but std::bad_alloc; never allocates more than a small multiple of `bytes`.
+/// Points are as in the file, none welded; every STL facet has three points of its own.
+/// Numbers that round to zero are zero; those that round to infinity are not finite.
+/// What stands behind the declared content is refused in OFF and ascii PLY, since the counts are wrong then; behind
+/// binary STL fewer than 50 bytes are padding; behind binary PLY anything is passed over.
+/// A count that the file's size contradicts is "truncated" for binary STL, "absurd-count" elsewhere.
+/// Errors (with `where` = line or byte offset): "truncated", "bad-syntax", "bad-number", "non-finite", "bad-index",
+/// "absurd-count", "unknown-format".
+Result<PolygonMesh> read_mesh(std::string_view bytes, Format format);
+
+/// A triangle mesh as the bytes of a file; `triangles` holds 3 indices each. Equal arrays give equal bytes.
+/// Decimals are the shortest that read back to the same double; binary STL stores float32, binary PLY double.
+/// Normals of STL are computed, zero where the area is.
+/// Preconditions: indices below points.size() / 3; finite points, for binary STL after rounding to float32 too.
+std::string write_mesh(std::span<const double> points, std::span<const std::uint32_t> triangles, Format format);
+
+/// A whole file; "-" is standard input. Errors: "missing-file", "unreadable".
+Result<std::string> read_file(const std::string& path);
+/// Writes beside `path` and renames: the file appears whole or not at all; "-" is standard output.
+/// Symbolic links stay and what they name is replaced; devices and pipes are written to.
+/// Threads may call it at once; their writes follow one another.
+/// Errors: "unwritable". `abandon_temporary_files` removes what an interrupted write left.
+Result<void> write_file(const std::string& path, std::string_view bytes);
+/// Async-signal-safe: unlinks the temporary file that is being written, if any; that write then fails.
+void abandon_temporary_files();
+
+}  // namespace quoin::io

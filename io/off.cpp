@@ -1,0 +1,156 @@
+// OFF in text form, three-dimensional: one vertex or face a line.
+#include <algorithm>
+#include <limits>
+
+#include "io/formats.h"
+#include "io/scanner.h"
+#include "io/text_output.h"
+
+namespace quoin::io {
+namespace {
+
+/// Bytes of the shortest line that is not empty.
+constexpr std::uint64_t min_line_size = 2;
+constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
+constexpr ScannerOptions off_options = {.hash_comments = true};
+
+/// The length of OFF, with any of ST, C, N before it, at the start of `word`; 0 when it is not there.
+/// A digit may follow at once: "OFF8 6 12".
+std::size_t header_length(std::string_view word) {
+  std::size_t at = 0;
+  while (!word.substr(at).starts_with("OFF")) {
+    const std::string_view rest = word.substr(at);
+    if (!rest.starts_with("ST") && !rest.starts_with('C') && !rest.starts_with('N')) return 0;
+    at += rest.starts_with("ST") ? 2 : 1;
+  }
+  at += 3;
+  return at == word.size() || (word[at] >= '0' && word[at] <= '9') ? at : 0;
+}
+
+class OffReader {
+ public:
+  explicit OffReader(std::string_view text) : in_(text, off_options) {}
+
+  Result<PolygonMesh> read() {
+    if (!header() || !counts() || !vertices() || !faces() || !end()) return in_.take_error();
+    return std::move(mesh_);
+  }
+
+ private:
+  bool header() {
+    in_.skip_space();
+    const std::string_view word = in_.word();
+    const std::size_t length = header_length(word);
+    if (length == 0) return in_.fail("unknown-format", "OFF, COFF, NOFF, STOFF or the like is due here");
+    in_.move_to(word.data() + length);
+    const char* behind = in_.position();
+    if (in_.word() == "BINARY") return in_.fail("unknown-format", "binary OFF is not read; write it as text");
+    in_.move_to(behind);
+    return true;
+  }
+
+  bool count(std::uint64_t& out) {
+    std::int64_t value = 0;
+    if (!in_.integer(value)) return false;
+    if (value < 0 || static_cast<std::uint64_t>(value) > max_count) {
+      return in_.fail("absurd-count", "this count is negative or beyond 32 bits");
+    }
+    out = static_cast<std::uint64_t>(value);
+    return true;
+  }
+
+  /// vertices faces [edges]; refuses counts that the rest of the text cannot hold.
+  bool counts() {
+    in_.skip_space();
+    if (!count(vertex_count_) || !count(face_count_)) return false;
+    in_.skip_line();
+    // The last line may lack its end.
+    if ((vertex_count_ + face_count_) * min_line_size > in_.remaining() + 1) {
+      return in_.fail("absurd-count", "the file is too short for " + std::to_string(vertex_count_) + " vertices and " +
+                                          std::to_string(face_count_) + " faces: truncated, or the counts are wrong");
+    }
+    // Every number takes a digit and a separator.
+    const std::uint64_t max_numbers = in_.remaining() / 2 + 1;
+    mesh_.points.reserve(std::min(vertex_count_ * 3, max_numbers));
+    mesh_.starts.reserve(face_count_ + 1);
+    mesh_.corners.reserve(std::min(face_count_ * 3, max_numbers));
+    return true;
+  }
+
+  /// x y z; normals, colours and texture coordinates behind them are passed over.
+  bool vertices() {
+    for (std::uint64_t i = 0; i < vertex_count_; ++i) {
+      in_.skip_space();
+      for (int k = 0; k < 3; ++k) {
+        double coordinate = 0;
+        if (!in_.number(coordinate)) return false;
+        mesh_.points.push_back(coordinate);
+      }
+      in_.skip_line();
+    }
+    return true;
+  }
+
+  bool faces() {
+    for (std::uint64_t i = 0; i < face_count_; ++i) {
+      in_.skip_space();
+      if (!face()) return false;
+      in_.skip_line();
+    }
+    return true;
+  }
+
+  /// n, then n indices; colours behind them are passed over.
+  bool face() {
+    std::uint64_t corner_count = 0;
+    if (!count(corner_count)) return false;
+    if (corner_count < 3) return in_.fail("bad-syntax", "a face needs at least 3 corners");
+    if (corner_count > in_.remaining() / 2 || mesh_.corners.size() + corner_count > max_count) {
+      return in_.fail("absurd-count", "the file is too short for a face of so many corners");
+    }
+    for (std::uint64_t i = 0; i < corner_count; ++i) {
+      std::int64_t index = 0;
+      if (!in_.integer(index)) return false;
+      if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
+        return in_.fail("bad-index", "a face names a vertex that does not exist");
+      }
+      mesh_.corners.push_back(static_cast<std::uint32_t>(index));
+    }
+    mesh_.starts.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+    return true;
+  }
+
+  /// More lines mean that the counts are wrong.
+  bool end() {
+    in_.skip_space();
+    in_.mark();
+    return in_.at_end() || in_.fail("bad-syntax", "the file goes on behind the last declared face");
+  }
+
+  Scanner in_;
+  PolygonMesh mesh_;
+  std::uint64_t vertex_count_ = 0;
+  std::uint64_t face_count_ = 0;
+};
+
+}  // namespace
+
+bool looks_like_off(std::string_view bytes) {
+  Scanner scanner(bytes, off_options);
+  scanner.skip_space();
+  return header_length(scanner.word()) != 0;
+}
+
+Result<PolygonMesh> read_off(std::string_view bytes) { return OffReader(bytes).read(); }
+
+std::string write_off(std::span<const double> points, std::span<const std::uint32_t> triangles) {
+  std::string out = "OFF\n";
+  append_line<std::size_t>(out, "", points.size() / 3, triangles.size() / 3, 0);
+  for (std::size_t i = 0; i < points.size(); i += 3) append_line(out, "", points[i], points[i + 1], points[i + 2]);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    append_line(out, "3 ", triangles[i], triangles[i + 1], triangles[i + 2]);
+  }
+  return out;
+}
+
+}  // namespace quoin::io

@@ -1,0 +1,50 @@
+/// \file
+/// The header of a PLY file.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "quoin/result.h"
+
+namespace quoin::io {
+
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+/// Bytes of a value.
+std::uint64_t ply_size(PlyType type);
+bool is_floating(PlyType type);
+
+struct PlyProperty {
+  /// x, y, z of a vertex, the corners of a face, or nothing that is used.
+  enum class Role : std::uint8_t { x, y, z, corners, none };
+  Role role = Role::none;
+  bool is_list = false;
+  /// Of a list's length: an integer type.
+  PlyType count_type = PlyType::uint8;
+  PlyType type = PlyType::float32;
+};
+
+struct PlyElement {
+  enum class Kind : std::uint8_t { vertex, face, other };
+  Kind kind = Kind::other;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties = {};
+};
+
+struct PlyHeader {
+  enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
+  Encoding encoding = Encoding::ascii;
+  /// One vertex element with the scalars x, y, z, and one face element with a list of corners.
+  std::vector<PlyElement> elements = {};
+  std::uint64_t vertex_count = 0;
+  /// Bytes of the header: the body begins there.
+  std::size_t size = 0;
+};
+
+/// The first line settles how lines end, so that a body may begin with any byte.
+/// Errors, with the line: "truncated", "bad-syntax", "bad-number", "absurd-count", "unknown-format".
+Result<PlyHeader> read_ply_header(std::string_view bytes);
+
+}  // namespace quoin::io

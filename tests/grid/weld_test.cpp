@@ -1,0 +1,80 @@
+#include "grid/weld.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/grid/random.h"
+
+namespace quoin::grid {
+namespace {
+
+using exact::GridPoint;
+
+/// Welds both ways and by std::map.
+void check(const std::vector<GridPoint>& points, const std::vector<double>& input, std::size_t expected) {
+  std::map<GridPoint, std::uint32_t> seen;
+  std::map<GridPoint, std::set<std::array<double, 3>>> positions;
+  std::vector<GridPoint> kept;
+  std::vector<std::uint32_t> ids;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [at, fresh] = seen.emplace(points[i], static_cast<std::uint32_t>(kept.size()));
+    if (fresh) kept.push_back(points[i]);
+    ids.push_back(at->second);
+    positions[points[i]].insert({input[3 * i], input[3 * i + 1], input[3 * i + 2]});
+  }
+  if (kept.size() == points.size()) ids.clear();
+  std::uint64_t merged = 0;
+  for (const auto& [p, all] : positions) merged += all.size() - 1;
+
+  for (const bool sorting : {false, true}) {
+    std::vector<GridPoint> mine = points;
+    const Weld w = sorting ? weld_by_sorting(mine, input) : weld(mine, input, expected);
+    EXPECT_EQ(mine, kept);
+    EXPECT_EQ(w.ids, ids);
+    EXPECT_EQ(w.merged, merged);
+  }
+}
+
+TEST(Weld, agrees_with_a_map) {
+  auto random = seeded_generator();
+  for (int round = 0; round < 60; ++round) {
+    const std::size_t n = random() % 3000;
+    const std::uint64_t range = std::uint64_t{1} << (1 + random() % 29);
+    std::vector<GridPoint> points(n);
+    std::vector<double> input;
+    for (GridPoint& p : points)
+      for (auto& c : p.c) {
+        c = static_cast<std::int32_t>(random() % range) - static_cast<std::int32_t>(range / 2);
+        input.push_back(c + (round % 2 == 0 ? 0.0 : static_cast<double>(random() % 3) / 8));
+      }
+    check(points, input, random() % (2 * n + 1));
+  }
+}
+
+TEST(Weld, zeros_of_both_signs_are_one_position) {
+  std::vector<GridPoint> points(4, GridPoint{{0, 0, 0}});
+  const std::vector<double> input{0.0, 0, 0, -0.0, 0, 0, 0.25, 0.0, 0, 0.25, -0.0, 0};
+  const Weld w = weld(points, input, 4);
+  EXPECT_EQ(points.size(), 1U);
+  EXPECT_EQ(w.merged, 1U);
+}
+
+TEST(Weld, regular_lattices) {
+  std::vector<GridPoint> points;
+  std::vector<double> input;
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 40; ++y)
+      for (int z = 0; z < 40; ++z) {
+        points.push_back({{x << 20, y << 20, -(z << 20)}});
+        for (auto c : points.back().c) input.push_back(c);
+      }
+  check(points, input, 16);
+  points.push_back(points.front());
+  for (auto c : points.back().c) input.push_back(c);
+  check(points, input, 16);
+}
+
+}  // namespace
+}  // namespace quoin::grid

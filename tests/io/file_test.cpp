@@ -1,0 +1,207 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "tests/io/io_support.h"
+
+namespace quoin::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory of its own for each test, removed behind it.
+class File : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "quoin_io_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    directory_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
+  }
+
+  fs::path directory_;
+};
+
+std::string read_code(const std::string& path) {
+  const Result<std::string> read = read_file(path);
+  return read ? "" : read.error().code;
+}
+
+std::string write_code(const std::string& path, std::string_view bytes) {
+  const Result<void> written = write_file(path, bytes);
+  return written ? "" : written.error().code;
+}
+
+TEST_F(File, WritesAndReadsWholeFiles) {
+  std::string bytes("a\0b\r\n", 5);
+  bytes.append(300000, '\xff');
+  for (const std::string& content : {bytes, std::string(), std::string("x")}) {
+    ASSERT_EQ(write_code(path("a"), content), "");
+    const Result<std::string> read = read_file(path("a"));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value(), content);
+  }
+  ASSERT_EQ(write_code(path("b"), "second output"), "");
+  EXPECT_EQ(read_file(path("b")).value(), "second output");
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(File, TellsMissingFromUnreadable) {
+  EXPECT_EQ(read_code(path("none")), "missing-file");
+  EXPECT_EQ(read_code(path("none/below")), "missing-file");
+  EXPECT_EQ(read_code(directory_.string()), "unreadable");
+  const Result<std::string> read = read_file(path("none"));
+  EXPECT_EQ(read.error().file, path("none"));
+}
+
+TEST_F(File, FailedWritesLeaveNothing) {
+  EXPECT_EQ(write_code(path("none/below"), "x"), "unwritable");
+  EXPECT_EQ(write_code(directory_.string(), "x"), "unwritable");
+  EXPECT_EQ(write_code(path(std::string(300, 'n')), "x"), "unwritable");
+  EXPECT_EQ(write_code("", "x"), "unwritable");
+  EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(File, LongNamesAndPermissions) {
+  const mode_t before = ::umask(027);
+  EXPECT_EQ(write_code(path(std::string(255, 'n')), "x"), "");
+  ::umask(before);
+  struct stat status;
+  ASSERT_EQ(::stat(path(std::string(255, 'n')).c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST_F(File, LinksStayLinks) {
+  ASSERT_EQ(write_code(path("target"), "old"), "");
+  fs::create_symlink("target", path("link"));
+  ASSERT_EQ(write_code(path("link"), "new"), "");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read_file(path("target")).value(), "new");
+}
+
+TEST_F(File, PipesAreWrittenThrough) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_EQ(write_code(path("pipe"), "through"), "");
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+  std::string got(100, '?');
+  const ssize_t size = ::read(reader, got.data(), got.size());
+  ::close(reader);
+  ASSERT_EQ(size, 7);
+  EXPECT_EQ(got.substr(0, 7), "through");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(File, StandardStreams) {
+  ASSERT_EQ(write_code(path("in"), "from standard input"), "");
+  const int out = ::dup(STDOUT_FILENO);
+  const int in = ::dup(STDIN_FILENO);
+  ASSERT_NE(std::freopen(path("in").c_str(), "r", stdin), nullptr);
+  std::fflush(stdout);
+  std::FILE* sink = std::fopen(path("out").c_str(), "w");
+  ASSERT_NE(sink, nullptr);
+  ASSERT_GE(::dup2(::fileno(sink), STDOUT_FILENO), 0);
+  const Result<std::string> read = read_file("-");
+  const std::string code = write_code("-", "to standard output");
+  ASSERT_GE(::dup2(out, STDOUT_FILENO), 0);
+  if (in >= 0) ::dup2(in, STDIN_FILENO);
+  std::fclose(sink);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read.value(), "from standard input");
+  EXPECT_EQ(code, "");
+  EXPECT_EQ(read_file(path("out")).value(), "to standard output");
+}
+
+TEST_F(File, ThreadsWriteTheirOwnFiles) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([this, i] {
+      for (int round = 0; round < 20; ++round) {
+        EXPECT_EQ(write_code(path("t" + std::to_string(i)), std::string(1000, static_cast<char>('a' + i))), "");
+        EXPECT_EQ(write_code(path("shared"), std::string(1000, static_cast<char>('a' + i))), "");
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(entries(), 5U);
+  const std::string shared = read_file(path("shared")).value();
+  EXPECT_EQ(shared, std::string(1000, shared[0]));
+}
+
+/// Dies of the file size limit's signal in the middle of a write; the handler cleans up.
+[[noreturn]] void write_until_interrupted(const std::string& path) {
+  (void)std::signal(SIGXFSZ, [](int) {
+    abandon_temporary_files();
+    ::_exit(130);
+  });
+  const rlimit limit = {4096, 4096};
+  (void)::setrlimit(RLIMIT_FSIZE, &limit);
+  (void)write_file(path, std::string(100000, 'x'));
+  ::_exit(0);
+}
+
+TEST_F(File, AbandonRemovesWhatASignalInterrupts) {
+  ASSERT_EQ(write_code(path("a"), "old"), "");
+  EXPECT_EXIT(write_until_interrupted(path("a")), ::testing::ExitedWithCode(130), "");
+  EXPECT_EQ(entries(), 1U);
+  EXPECT_EQ(read_file(path("a")).value(), "old");
+}
+
+[[noreturn]] void write_on_a_full_disk(const std::string& path) {
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit = {4096, 4096};
+  (void)::setrlimit(RLIMIT_FSIZE, &limit);
+  ::_exit(write_code(path, std::string(100000, 'x')) == "unwritable" ? 7 : 8);
+}
+
+TEST_F(File, AFullDiskLeavesTheOldFile) {
+  ASSERT_EQ(write_code(path("a"), "old"), "");
+  EXPECT_EXIT(write_on_a_full_disk(path("a")), ::testing::ExitedWithCode(7), "");
+  EXPECT_EQ(entries(), 1U);
+  EXPECT_EQ(read_file(path("a")).value(), "old");
+}
+
+TEST_F(File, AbandonWithoutAWriteDoesNothing) {
+  ASSERT_EQ(write_code(path("a"), "x"), "");
+  abandon_temporary_files();
+  EXPECT_EQ(read_file(path("a")).value(), "x");
+}
+
+TEST(Format, ByExtension) {
+  EXPECT_EQ(format_of("a.stl").value(), Format::stl);
+  EXPECT_EQ(format_of("a.b.STL").value(), Format::stl);
+  EXPECT_EQ(format_of("/x.y/a.Obj").value(), Format::obj);
+  EXPECT_EQ(format_of("a.off").value(), Format::off);
+  EXPECT_EQ(format_of("a.PLY").value(), Format::ply);
+  for (const char* name : {"", "-", "stl", "a", "a.stl2", "a.", "a.stl/b"}) {
+    const Result<Format> format = format_of(name);
+    ASSERT_FALSE(format) << name;
+    EXPECT_EQ(format.error().code, "unknown-format");
+  }
+}
+
+TEST(Format, ContentOverrulesTheHint) {
+  const test::Triangles mesh = test::tetrahedron();
+  for (const Format hint : {Format::stl, Format::obj, Format::off, Format::ply}) {
+    for (const Format real : {Format::stl_ascii, Format::off, Format::ply, Format::ply_ascii}) {
+      const Result<PolygonMesh> read = read_mesh(write_mesh(mesh.points, mesh.triangles, real), hint);
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(read.value().corners.size(), 12U);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quoin::io
