@@ -9,6 +9,7 @@ namespace quoin::booleans {
 /// A conforming triangulation of the boundary: raw triangles as they are, polygons triangulated exactly.
 struct Triangulated {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // output vertices, counter-clockwise from outside
+  std::vector<std::uint32_t> face;                      // body face of each triangle
   std::vector<std::uint32_t> source;                    // body vertex of each output vertex
 };
 

@@ -1,3 +1,4 @@
+#include "booleans/around_edge.h"
 #include "booleans/arrangement.h"
 #include "booleans/expression.h"
 #include "booleans/seeds.h"
@@ -59,27 +60,11 @@ class Selector {
   /// Counter-clockwise around low -> high, starting from the first facet.
   void sort_around_edge(std::vector<std::uint32_t>& order) {
     const Use& first = a_.uses[order[0]];
-    // An axis in which the edge runs, and its direction there.
-    int k = 0, forward = 0;
-    for (; k < 3 && forward == 0; ++k) forward = a_.vertices.compare_along(k, first.high, first.low);
-    --k;
-    const auto turn = [&](const Use& u, const Use& v) {
-      if (u.plane == v.plane) return 0;
-      return exact::cross_sign(a_.planes[u.plane], a_.planes[v.plane], k) * forward * (u.left == v.left ? 1 : -1);
-    };
-    // 0: along the first facet, 1: left of it, 2: opposite, 3: right.
-    const auto quarter = [&](const Use& u) {
-      const int t = turn(first, u);
-      if (t != 0) return t > 0 ? 1 : 3;
-      return u.plane == first.plane && u.left == first.left ? 0 : 2;
-    };
-    std::sort(order.begin() + 1, order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      const Use &u = a_.uses[i], &v = a_.uses[j];
-      const int p = quarter(u), q = quarter(v);
-      if (p != q) return p < q;
-      const int t = turn(u, v);
-      return t != 0 ? t > 0 : i < j;
-    });
+    int k = -1, forward = 0;  // an axis in which the edge runs, and its direction there
+    while (forward == 0) forward = a_.vertices.compare_along(++k, first.high, first.low);
+    sort_around(
+        order, k, forward, [&](std::uint32_t i) -> const exact::Plane& { return a_.planes[a_.uses[i].plane]; },
+        [&](std::uint32_t i) { return a_.uses[i].left; });
   }
 
   /// Components hang together over fans and through facets; each gets its place from one ray.

@@ -59,8 +59,11 @@ void fan(std::size_t count, Corner corner, std::vector<Triangle>& triangles) {
 bool Cutter::cut(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles) {
   assert(corners.size() >= 3);
   const bool planar = project(corners);
-  if (flat_ || strictly_convex()) fan(corners.size(), [&](std::size_t i) { return corners[i]; }, triangles);
-  else clip_ears(corners, triangles);
+  if (flat_ || strictly_convex())
+    fan(
+        corners.size(), [&](std::size_t i) { return corners[i]; }, triangles);
+  else
+    clip_ears(corners, triangles);
   return planar;
 }
 
@@ -154,7 +157,8 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
   }
   queue_.clear();
   for (std::uint32_t i = 0, at = some; i < left; ++i, at = next_[at]) queue_.push_back(at);
-  fan(left, [&](std::size_t i) { return corners[queue_[i]]; }, triangles);
+  fan(
+      left, [&](std::size_t i) { return corners[queue_[i]]; }, triangles);
 }
 
 }  // namespace quoin::grid

@@ -59,7 +59,7 @@ class Rounder {
  private:
   Lattice lattice_;
   std::optional<Affine> affine_;
-  double scale_ = 0;                   // 2^exponent
+  double scale_ = 0;                    // 2^exponent
   std::array<double, 3> scaling_ = {};  // the step where coordinate k only scales by a power of two, else 0
 };
 

@@ -37,6 +37,15 @@ struct Faces {
 
 constexpr std::size_t most_points = std::size_t{1} << 31, most_corners = std::size_t{1} << 31;
 
+bool all_below(std::span<const std::uint32_t> values, std::size_t limit) {
+  std::array<std::uint32_t, 4> greatest{};  // independent chains
+  const std::size_t whole = values.size() / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) greatest[k] = std::max(greatest[k], values[i + k]);
+  for (std::size_t i = whole; i < values.size(); ++i) greatest[0] = std::max(greatest[0], values[i]);
+  return values.empty() || *std::max_element(greatest.begin(), greatest.end()) < limit;
+}
+
 /// "bad-index" and "out-of-range" for what cannot be addressed.
 Result<void> check_indices(const Faces& f) {
   if (f.points.size() % 3 != 0) return Error{"bad-index", "the number of coordinates is not a multiple of 3"};
@@ -48,19 +57,17 @@ Result<void> check_indices(const Faces& f) {
   if (!f.triangles)
     for (std::size_t i = 0; i < f.starts.size(); ++i)
       if (f.starts[i] > f.corners.size() || (i > 0 && f.starts[i] < f.starts[i - 1]))
-        return Error{"bad-index", "polygon starts must increase and stay within the corners", {},
-                     "start " + std::to_string(i)};
-  std::uint32_t greatest = 0;
-  for (std::uint32_t v : f.corners) greatest = std::max(greatest, v);
-  if (f.corners.empty() || greatest < n) return {};
+        return Error{
+            "bad-index", "polygon starts must increase and stay within the corners", {}, "start " + std::to_string(i)};
+  if (all_below(f.corners, n)) return {};
   for (std::size_t i = 0; i < f.count(); ++i)
     for (std::uint32_t v : f.face(i))
       if (v >= n)
-        return Error{"bad-index",
-                     "face " + std::to_string(i) + " names vertex " + std::to_string(v) + ", but there are " +
-                         std::to_string(n),
-                     {},
-                     "face " + std::to_string(i)};
+        return Error{
+            "bad-index",
+            "face " + std::to_string(i) + " names vertex " + std::to_string(v) + ", but there are " + std::to_string(n),
+            {},
+            "face " + std::to_string(i)};
   return Error{"bad-index", "a corner outside of all polygons names a vertex that does not exist"};
 }
 
@@ -140,14 +147,14 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
   for (const OpenEdge& e : open) count += e.excess;
   const auto key = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
   const auto is_open = [&](std::uint32_t a, std::uint32_t b) {
-    const auto found = std::lower_bound(open.begin(), open.end(), key(a, b), [&](const OpenEdge& e, const auto& wanted) {
-      return key(e.from, e.to) < wanted;
-    });
+    const auto found =
+        std::lower_bound(open.begin(), open.end(), key(a, b),
+                         [&](const OpenEdge& e, const auto& wanted) { return key(e.from, e.to) < wanted; });
     return found != open.end() && found->from == a && found->to == b;
   };
-  Error error{"open-boundary",
-              "the surface is not closed: " + std::to_string(count) + (count == 1 ? " edge is" : " edges are") +
-                  " not balanced by the reverse edge of a neighbouring face"};
+  Error error{"open-boundary", "the surface is not closed: " + std::to_string(count) +
+                                   (count == 1 ? " edge is" : " edges are") +
+                                   " not balanced by the reverse edge of a neighbouring face"};
   for (std::size_t i = 0; i < f.count(); ++i) {
     const auto face = f.face(i);
     for (std::size_t j = 0; j < face.size(); ++j) {
@@ -175,13 +182,16 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
 
   std::vector<std::uint32_t> slivers;
   Collector collector(mesh, slivers);
-  if (f.triangles) add_triangles(f, welded.ids, mesh, collector);
-  else add_polygons(f, welded.ids, mesh, collector);
+  if (f.triangles)
+    add_triangles(f, welded.ids, mesh, collector);
+  else
+    add_polygons(f, welded.ids, mesh, collector);
   mesh.zero_area_triangles += slivers.size();
   if (!seal(mesh.points, mesh.triangles, slivers) || !is_balanced(mesh.triangles, mesh.points.size()))
     return open_boundary(f, welded.ids, mesh);
   if (collector.volume() < 0)
-    return Error{"inside-out", "the enclosed volume is negative: the faces must be counter-clockwise seen from outside"};
+    return Error{"inside-out",
+                 "the enclosed volume is negative: the faces must be counter-clockwise seen from outside"};
   return Result<ImportedMesh>(std::move(mesh));
 }
 

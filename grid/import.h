@@ -37,8 +37,9 @@ struct ImportedMesh {
 /// `points`: 3 doubles per vertex, model units. Polygon i has the corners corners[starts[i]] .. corners[starts[i+1]-1],
 /// counter-clockwise from outside; `starts` is non-decreasing and has one entry more than there are polygons, or none.
 /// A coordinate goes to the nearest grid coordinate, ties to even. Every vertex is snapped, used or not.
-/// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work), "bad-index" (also for broken
-/// `starts`), "open-boundary" (`where` is one edge with its ends in model units and its face), "inside-out".
+/// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work; also for more than 2^31 points
+/// or corners), "bad-index" (also for broken `starts`), "open-boundary" (`where` is one edge with its ends in model
+/// units and its face), "inside-out".
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
                                      std::span<const std::uint32_t> corners, const Lattice& lattice);
 /// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".

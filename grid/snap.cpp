@@ -99,12 +99,14 @@ class Snapper {
   std::optional<int> compare(double v, std::size_t k, std::int64_t twice) const {
     int e = 0;
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
-    int128 left = int128(2 * mantissa) * affine_->denominator;            // below 2^108
+    int128 left = int128(2 * mantissa) * affine_->denominator;                        // below 2^108
     int128 right = int128(affine_->offset[k]) * 2 + int128(twice) * affine_->factor;  // below 2^56
     const int shift = v == 0 ? 0 : e - 53 - affine_->exponent;
     if (shift > 18 || shift < -70) return std::nullopt;
-    if (shift >= 0) left *= int128(1) << shift;
-    else right *= int128(1) << -shift;
+    if (shift >= 0)
+      left *= int128(1) << shift;
+    else
+      right *= int128(1) << -shift;
     return left < right ? -1 : left > right ? 1 : 0;
   }
 
@@ -191,7 +193,9 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i])) {
       const std::string vertex = std::to_string(i / 3);
-      return {"non-finite", "vertex " + vertex + " has an infinite or undefined coordinate", {},
+      return {"non-finite",
+              "vertex " + vertex + " has an infinite or undefined coordinate",
+              {},
               "vertex " + vertex + " " + describe_point(&points[i - i % 3])};
     }
   std::size_t i = 0;
@@ -217,8 +221,8 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
   result.points.resize(points.size() / 3);
   const auto a = affine(lattice);
   const bool scaled = a && a->factor == 1 && a->denominator == 1 && lattice.origin == Lattice{}.origin;
-  const bool fits = scaled ? snap_scaled(points, std::ldexp(1.0, a->exponent), result)
-                           : snap_any(points, lattice, result);
+  const bool fits =
+      scaled ? snap_scaled(points, std::ldexp(1.0, a->exponent), result) : snap_any(points, lattice, result);
   if (!fits) return refusal(points, lattice);
   return Result<Snapped>(std::move(result));
 }

@@ -28,7 +28,9 @@ std::uint32_t fingerprint(const GridPoint& p) {
 /// so growing needs no point.
 class Table {
  public:
-  explicit Table(std::size_t expected) { resize(static_cast<int>(std::bit_width(std::max<std::size_t>(expected * 3 / 2, 64)))); }
+  explicit Table(std::size_t expected) {
+    resize(static_cast<int>(std::bit_width(std::max<std::size_t>(expected * 3 / 2, 64))));
+  }
 
   void reserve(std::size_t count) {
     if (count * 4 < slots_.size() * 3 || bits_ == 32) return;
@@ -146,9 +148,8 @@ Weld weld_by_sorting(std::vector<GridPoint>& points, std::span<const double> inp
   const std::size_t n = points.size();
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return points[i] != points[j] ? points[i] < points[j] : i < j;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return points[i] != points[j] ? points[i] < points[j] : i < j; });
   std::vector<std::uint32_t> first(n);  // the first input point equal to each
   for (std::size_t i = 0; i < n; ++i)
     first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];

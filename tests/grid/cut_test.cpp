@@ -39,7 +39,8 @@ void expect_same_edges(const std::vector<std::uint32_t>& loop, const std::vector
 /// Cuts a simple polygon, given flat, on a sloping plane seen from both sides and along all axes.
 void check_simple(const Flat& flat) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const auto& [upside_down, sloping] : {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
+    for (int view = 0; view < 4; ++view) {
+      const bool upside_down = view % 2 != 0, sloping = view >= 2;
       std::vector<GridPoint> points;
       for (const auto& p : flat) {
         GridPoint g{};
@@ -118,7 +119,8 @@ TEST(Cut, random_star_shapes) {
     const int n = 4 + static_cast<int>(random() % 200);
     std::set<double> angles;
     for (int i = 0; i < n; ++i) {
-      const auto x = static_cast<std::int32_t>(random() % 2001) - 1000, y = static_cast<std::int32_t>(random() % 2001) - 1000;
+      const auto x = static_cast<std::int32_t>(random() % 2001) - 1000,
+                 y = static_cast<std::int32_t>(random() % 2001) - 1000;
       if (x == 0 && y == 0) continue;
       const double angle = std::atan2(y, x);
       if (angles.insert(angle).second) around.insert({angle, {x, y}});
@@ -173,8 +175,8 @@ TEST(Cut, polygons_that_are_not_simple_are_right_as_sums) {
 }
 
 TEST(Cut, planarity) {
-  const std::vector<GridPoint> points{{{0, 0, 0}}, {{4, 0, 4}}, {{4, 4, 8}}, {{0, 4, 4}}, {{0, 4, 5}},
-                                      {{8, 0, 8}}, {{12, 0, 12}}};
+  const std::vector<GridPoint> points{{{0, 0, 0}}, {{4, 0, 4}}, {{4, 4, 8}},  {{0, 4, 4}},
+                                      {{0, 4, 5}}, {{8, 0, 8}}, {{12, 0, 12}}};
   std::vector<Triangle> triangles;
   Cutter cutter(points);
   EXPECT_TRUE(cutter.cut(std::vector<std::uint32_t>{0, 1, 2, 3}, triangles));

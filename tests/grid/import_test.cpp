@@ -115,7 +115,8 @@ TEST(Import, decimal_steps_and_origins) {
 TEST(Import, far_away) {
   Polygons c = cube(1.0 / 1024);
   for (double& p : c.points) p += 0x1p20;
-  const Lattice l = fitting_lattice({0x1p20, 0x1p20, 0x1p20}, {0x1p20 + 0x1p-10, 0x1p20 + 0x1p-10, 0x1p20 + 0x1p-10}).value();
+  const Lattice l =
+      fitting_lattice({0x1p20, 0x1p20, 0x1p20}, {0x1p20 + 0x1p-10, 0x1p20 + 0x1p-10, 0x1p20 + 0x1p-10}).value();
   EXPECT_NE(l.origin, Lattice{}.origin);
   const auto m = c.import(l);
   expect_sound(m.value());
@@ -395,8 +396,10 @@ TEST(Balance, agrees_with_a_map) {
     EXPECT_EQ(is_balanced(triangles, n), expected.empty());
     std::vector<OpenEdge> edges;
     for (const auto& [e, sum] : expected) {
-      if (sum > 0) edges.push_back({e.first, e.second, static_cast<std::uint64_t>(sum)});
-      else edges.push_back({e.second, e.first, static_cast<std::uint64_t>(-sum)});
+      if (sum > 0)
+        edges.push_back({e.first, e.second, static_cast<std::uint64_t>(sum)});
+      else
+        edges.push_back({e.second, e.first, static_cast<std::uint64_t>(-sum)});
     }
     EXPECT_EQ(open_edges(triangles), edges);
   }

@@ -1,0 +1,201 @@
+#include "booleans/export.h"
+
+#include <numeric>
+
+#include "booleans/around_edge.h"
+#include "booleans/arrangement.h"
+#include "booleans/triangulate.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// The corners of one polygon seen in its own plane, by local ids.
+class PlanePoints {
+ public:
+  PlanePoints(const Body& body, const exact::Plane& plane, const std::vector<std::uint32_t>& ids)
+      : plane_(plane), frame_(plane) {
+    for (std::uint32_t v : ids) {
+      points_.push_back(body.point(v));
+      all_grid_ = all_grid_ && body.is_grid(v);
+    }
+  }
+  int compare(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) return 0;
+    if (const int c = exact::compare_along(frame_.u(), points_[a], points_[b])) return c;
+    return exact::compare_along(frame_.v(), points_[a], points_[b]);
+  }
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (!all_grid_) return exact::orientation_in_plane(plane_, points_[a], points_[b], points_[c]);
+    const auto p = planar(a), q = planar(b), r = planar(c);
+    const std::int64_t det = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);  // below 2^61
+    return det > 0 ? 1 : det < 0 ? -1 : 0;
+  }
+  /// Approximate coordinates for shape decisions.
+  std::array<double, 2> approximate(std::uint32_t a) const {
+    const auto& p = points_[a].approximation;
+    return {p[static_cast<std::size_t>(frame_.u())], p[static_cast<std::size_t>(frame_.v())]};
+  }
+
+ private:
+  std::array<std::int64_t, 2> planar(std::uint32_t a) const {
+    const auto p = approximate(a);
+    return {static_cast<std::int64_t>(p[0]), static_cast<std::int64_t>(p[1])};
+  }
+  exact::Plane plane_;
+  Frame frame_;
+  std::vector<exact::Point> points_;
+  bool all_grid_ = true;
+};
+
+/// Triangulates polygon p of the body.
+void triangulate_polygon(const Body& body, std::uint32_t p, std::vector<FaceTriangle>& triangles, std::vector<std::uint32_t>& ids) {
+  const std::uint32_t first = body.polygon_loops[p], last = body.polygon_loops[p + 1];
+  ids.assign(body.corners.begin() + body.loop_corners[first], body.corners.begin() + body.loop_corners[last]);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto local = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), v) - ids.begin());
+  };
+  std::vector<FaceEdge> edges;
+  std::vector<std::uint32_t> isolated;
+  for (std::uint32_t j = first; j < last; ++j) {
+    const auto loop = body.loop(j);
+    if (loop.size() == 1) isolated.push_back(local(loop[0]));
+    for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
+      edges.push_back({local(loop[i]), local(loop[i + 1 < loop.size() ? i + 1 : 0])});
+  }
+  const PlanePoints points(body, body.planes[p], ids);
+  triangles.clear();
+  [[maybe_unused]] const bool closed = triangulate(points, static_cast<std::uint32_t>(ids.size()), edges, isolated, triangles);
+  assert(closed);
+  if (triangles.size() > 1) {
+    std::vector<std::array<double, 2>> shape(ids.size());
+    for (std::uint32_t i = 0; i < shape.size(); ++i) shape[i] = points.approximate(i);
+    improve_triangles(points, edges, shape, triangles);
+  }
+}
+
+/// All directed edges of a mesh, triangle by triangle, sorted by their undirected edge.
+struct EdgeList {
+  struct Entry {
+    std::uint32_t low, high, corner;  // corner 3 t + k: the edge from corner k to the next
+  };
+  std::vector<Entry> entries;
+
+  explicit EdgeList(const Triangulated& mesh) {
+    std::uint32_t n = 0;
+    for (const auto& t : mesh.triangles)
+      for (std::uint32_t v : t) n = std::max(n, v + 1);
+    std::vector<std::uint32_t> start(n + 1);
+    const auto for_edges = [&](auto&& visit) {
+      for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
+        const std::uint32_t u = mesh.triangles[c / 3][c % 3], v = mesh.triangles[c / 3][(c + 1) % 3];
+        visit(Entry{std::min(u, v), std::max(u, v), c});
+      }
+    };
+    for_edges([&](const Entry& e) { ++start[e.low + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    entries.resize(start.back());
+    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+    for_edges([&](const Entry& e) { entries[at[e.low]++] = e; });
+    for (std::uint32_t v = 0; v < n; ++v)
+      std::sort(entries.begin() + start[v], entries.begin() + start[v + 1],
+                [](const Entry& a, const Entry& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
+  }
+  template <class Visit>
+  void for_runs(Visit&& visit) const {
+    for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
+      while (j < entries.size() && entries[j].low == entries[i].low && entries[j].high == entries[i].high) ++j;
+      visit(std::span(entries).subspan(i, j - i));
+    }
+  }
+};
+
+}  // namespace
+
+Triangulated triangulated(const Body& body) {
+  Triangulated mesh;
+  mesh.triangles = body.triangles;
+  mesh.face.resize(body.triangles.size());
+  std::iota(mesh.face.begin(), mesh.face.end(), 0u);
+  std::vector<FaceTriangle> pieces;
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
+    triangulate_polygon(body, p, pieces, ids);
+    for (const FaceTriangle& t : pieces) {
+      mesh.triangles.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+      mesh.face.push_back(static_cast<std::uint32_t>(body.triangles.size()) + p);
+    }
+  }
+  std::vector<std::uint32_t> id(body.vertex_count(), none);
+  for (const auto& t : mesh.triangles)
+    for (std::uint32_t v : t) id[v] = 0;
+  for (std::uint32_t v = 0; v < id.size(); ++v) {
+    if (id[v] == none) continue;
+    id[v] = static_cast<std::uint32_t>(mesh.source.size());
+    mesh.source.push_back(v);
+  }
+  for (auto& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = id[v];
+  return mesh;
+}
+
+Triangulated separated(const Body& body, const Triangulated& mesh) {
+  Partition corners(3 * mesh.triangles.size());
+  const auto next = [](std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
+  // Glues the edge from corner c to the reverse edge from corner d.
+  const auto glue = [&](std::uint32_t c, std::uint32_t d) {
+    corners.unite(c, next(d));
+    corners.unite(next(c), d);
+  };
+  const EdgeList edges(mesh);
+  std::vector<std::uint32_t> order;
+  edges.for_runs([&](std::span<const EdgeList::Entry> run) {
+    if (run.size() == 2) return glue(run[0].corner, run[1].corner);
+    const auto forward = [&](std::uint32_t i) { return mesh.triangles[run[i].corner / 3][run[i].corner % 3] == run[i].low; };
+    order.resize(run.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::vector<exact::Plane> planes;
+    for (const auto& e : run) planes.push_back(body.plane(mesh.face[e.corner / 3]));
+    const exact::Point low = body.point(mesh.source[run[0].low]), high = body.point(mesh.source[run[0].high]);
+    int axis = -1, direction = 0;
+    while (direction == 0) direction = exact::compare_along(++axis, high, low);
+    sort_around(order, axis, direction, [&](std::uint32_t i) -> const exact::Plane& { return planes[i]; }, forward);
+    // The solid lies counter-clockwise after a triangle that runs backward, and before one that runs forward.
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::uint32_t a = order[i], b = order[i + 1 < order.size() ? i + 1 : 0];
+      if (!forward(a) && forward(b)) glue(run[b].corner, run[a].corner);
+    }
+  });
+  Triangulated r;
+  r.face = mesh.face;
+  r.triangles.resize(mesh.triangles.size());
+  // Vertices keep their order; the fans of one vertex follow each other in the order of their first corners.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;
+  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
+    if (corners.find(c) == c) fans.push_back({mesh.triangles[c / 3][c % 3], c});
+  std::sort(fans.begin(), fans.end());
+  std::vector<std::uint32_t> id(3 * mesh.triangles.size(), none);
+  for (const auto& [vertex, corner] : fans) {
+    id[corner] = static_cast<std::uint32_t>(r.source.size());
+    r.source.push_back(mesh.source[vertex]);
+  }
+  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) r.triangles[c / 3][c % 3] = id[corners.find(c)];
+  return r;
+}
+
+Shells shells(const Triangulated& mesh) {
+  Partition parts(mesh.source.size());
+  for (const auto& t : mesh.triangles) {
+    parts.unite(t[0], t[1]);
+    parts.unite(t[0], t[2]);
+  }
+  Shells r;
+  for (std::uint32_t v = 0; v < mesh.source.size(); ++v) r.count += parts.find(v) == v;
+  // V - E + F = 2 (shells - genus), E = 3 F / 2.
+  const auto v = static_cast<std::int64_t>(mesh.source.size()), f = static_cast<std::int64_t>(mesh.triangles.size());
+  r.genus = static_cast<std::int64_t>(r.count) - (v - f / 2) / 2;
+  return r;
+}
+
+}  // namespace quoin::booleans

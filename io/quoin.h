@@ -1,0 +1,58 @@
+/// \file
+/// The exact text format .quoin <-> plain arrays of decimals and indices. The format: docs/format.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quoin/result.h"
+
+namespace quoin::io {
+
+/// Longest integers of a .quoin file, decimal digits without the sign.
+inline constexpr std::size_t max_lattice_digits = 1000;    // numerators and denominators of step and origin
+inline constexpr std::size_t max_coordinate_digits = 80;   // x, y, z, w
+inline constexpr std::size_t max_coefficient_digits = 40;  // a, b, c, d
+
+/// The content of a .quoin file, numbers as decimal text.
+/// Integers have an optional '-' and no superfluous zeros, nor is there a "-0"; a rational is an integer p or "p/q"
+/// with p not 0 and q at least 2.
+struct ExactDocument {
+  /// Model coordinate = origin + step * grid coordinate; step > 0.
+  std::string step = "1";
+  std::array<std::string, 3> origin = {"0", "0", "0"};
+  bool full_at_infinity = false;
+  /// x, y, z, w with w > 0: the point (x, y, z) / w in grid steps.
+  std::vector<std::array<std::string, 4>> vertices;
+  /// a, b, c, d of a x + b y + c z + d = 0 in grid steps; one a face.
+  std::vector<std::array<std::string, 4>> planes;
+  /// Face i has the loops face_loops[i] .. face_loops[i + 1] - 1, at least one;
+  /// loop j the corners corners[loop_corners[j]] .. corners[loop_corners[j + 1] - 1], at least one.
+  std::vector<std::uint32_t> face_loops = {0};
+  std::vector<std::uint32_t> loop_corners = {0};
+  /// Indices of vertices.
+  std::vector<std::uint32_t> corners;
+
+  friend bool operator==(const ExactDocument&, const ExactDocument&) = default;
+};
+
+/// Whether the bytes begin as .quoin files of any version do.
+bool looks_like_quoin(std::string_view bytes);
+
+/// The document as text, lines ended by \n. Equal documents give equal bytes; `read_quoin` gives the document back.
+/// Precondition: the document is as its comments say, its numbers no longer than the limits above; fewer than 2^32 - 1
+/// vertices, faces, loops and corners.
+std::string write_quoin(const ExactDocument& document);
+
+/// Reads a whole text, lines ended by \n or \r\n, lines that begin with '#' being comments.
+/// The document is as its comments say; geometry is not looked at, nor whether rationals, points and planes are
+/// reduced. Every proper prefix of a file is refused. Without comments and \r the text is what `write_quoin` gives.
+/// Never throws but std::bad_alloc; never allocates more than a small multiple of `text`.
+/// Errors: "bad-quoin", with `where` = "line N".
+Result<ExactDocument> read_quoin(std::string_view text);
+
+}  // namespace quoin::io
