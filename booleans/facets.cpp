@@ -49,10 +49,10 @@ exact::Plane Targets::plane(std::uint32_t t, bool& turned) const {
 
 namespace {
 
-/// The plane through a grid edge parallel to the x axis: normal (0, -dz, dy).
+/// The plane through a grid edge parallel to the y axis: normal (dz, 0, -dx).
 exact::Plane lifted_edge(const exact::GridPoint& a, const exact::GridPoint& b) {
-  const std::int64_t dy = std::int64_t{b[1]} - a[1], dz = std::int64_t{b[2]} - a[2];
-  return {{0, -dz, dy}, exact::int128(dz) * a[1] - exact::int128(dy) * a[2]};
+  const std::int64_t dx = std::int64_t{b[0]} - a[0], dz = std::int64_t{b[2]} - a[2];
+  return {{dz, 0, -dx}, exact::int128(dx) * a[2] - exact::int128(dz) * a[0]};
 }
 
 exact::GridPoint grid_point(const exact::Point& p) {
@@ -62,33 +62,34 @@ exact::GridPoint grid_point(const exact::Point& p) {
 
 bool is_grid(const exact::Point& p) { return exact::compare(p.w, exact::Denominator(1)) == 0; }
 
-}  // namespace
-
-/// Does the edge cross the half line from (v_y - eps, v_z - eps^2) towards +y in the (y, z) plane?
-/// Heights: a point is above when its z >= v_z, because the line runs eps^2 lower. At that height the edge's line lies
-/// at larger y than the shifted point exactly when its y at height v_z is >= v_y.
-bool Targets::edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::Point& b, const exact::Plane* line,
-                          const exact::Point& v) const {
-  if ((exact::compare_along(2, a, v) >= 0) == (exact::compare_along(2, b, v) >= 0)) return false;
-  // R contains the edge's line and is parallel to x; its zero at v's height lies at y >= v_y exactly when
-  // R(v) = 0 or sign R(v) = -sign R_y.
-  int at_v = 0, slope = 0;
+/// Does the edge {a, b} cross the half line from s towards +z in the (x, z) plane?
+/// Abscissas: s_x is v_x or a little more, so a point is beyond when its x > v_x. Let R contain the edge's line and be
+/// parallel to y; at s_x the line's z exceeds s_z exactly when sign R(s) = -sign R_z, and R(s) is R(v), then R . d,
+/// then -R_z.
+bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::Point& b, const exact::Plane& line,
+                 const RayStart& s) {
+  if ((exact::compare_along(0, a, s.v) > 0) == (exact::compare_along(0, b, s.v) > 0)) return false;
+  int at_v = 0, rise = 0, slope = 0;
   if (is_grid(a) && is_grid(b)) {
     const exact::Plane r = lifted_edge(grid_point(a), grid_point(b));
-    at_v = exact::side(r, v);
-    slope = r.n[1] > 0 ? 1 : -1;  // not zero: the edge spans heights
+    at_v = exact::side(r, s.v);
+    rise = at_v == 0 ? dot(r, s.d).sign() : 0;
+    slope = r.n[2] > 0 ? 1 : -1;  // not zero: the ends differ in x
   } else {
-    // R = q_x P - p_x Q, degree 6 at v: 63 + 315 bits. R_y = q_x p_y - p_x q_y = -(n_p x n_q)_z.
-    const auto r = exact::Coefficient(line->n[0]) * exact::scaled_value(plane, v) -
-                   exact::Coefficient(plane.n[0]) * exact::scaled_value(*line, v);
+    // R = q_y P - p_y Q, degree 6 at v: 63 + 315 bits. R_z = q_y p_z - p_y q_z = -(n_p x n_q)_x.
+    const exact::Coefficient py(plane.n[1]), qy(line.n[1]);
     ++exact::counters().fixed_width;
-    at_v = r.sign();
-    slope = -exact::cross_sign(plane, *line, 2);
+    at_v = (qy * exact::scaled_value(plane, s.v) - py * exact::scaled_value(line, s.v)).sign();
+    rise = at_v == 0 ? (qy * dot(plane, s.d) - py * dot(line, s.d)).sign() : 0;
+    slope = -exact::cross_sign(plane, line, 0);
   }
-  return at_v == 0 || at_v == -slope;
+  const int at_s = at_v != 0 ? at_v : rise != 0 ? rise : -slope;
+  return at_s == -slope;
 }
 
-bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const exact::Point& v) const {
+}  // namespace
+
+bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) const {
   const Target& target = targets_[t];
   bool odd = false;
   if (target.sheet != none) {
@@ -97,7 +98,7 @@ bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const exact::P
     for (std::uint32_t i = edges.start[target.index]; i < edges.start[target.index + 1]; ++i) {
       const std::uint32_t h = edges.half_edges[i];
       odd ^= edge_counts(plane, a_.vertices.point(sheet.origin(h)), a_.vertices.point(sheet.target(h)),
-                         &a_.planes[sheet.elements[h / 2].line], v);
+                         a_.planes[sheet.elements[h / 2].line], s);
     }
     return odd;
   }
@@ -106,7 +107,7 @@ bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const exact::P
   if (face < body.triangles.size()) {
     const auto& c = body.triangles[face];
     for (std::size_t k = 0; k < 3; ++k)
-      odd ^= edge_counts(plane, exact::point(body.grid_points[c[k]]), exact::point(body.grid_points[c[(k + 1) % 3]]), nullptr, v);
+      odd ^= edge_counts(plane, exact::point(body.grid_points[c[k]]), exact::point(body.grid_points[c[(k + 1) % 3]]), plane, s);
     return odd;
   }
   const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
@@ -120,7 +121,7 @@ bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const exact::P
           const exact::Plane q = body.plane(g);
           if (!exact::parallel(plane, q)) line = q;
         });
-      odd ^= edge_counts(plane, body.point(u), body.point(w), &line, v);
+      odd ^= edge_counts(plane, body.point(u), body.point(w), line, s);
     }
   }
   return odd;

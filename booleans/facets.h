@@ -12,6 +12,21 @@ struct Target {
   std::uint32_t index;  // facet of the sheet, or global face id
 };
 
+/// A vector along an edge; grid edges have components below 2^31, others are cross products of two normals, < 2^125.
+using Direction = std::array<exact::Int<127>, 3>;
+
+/// n . d: at most 3 * 2^62 * 2^125.
+inline exact::Int<191> dot(const exact::Plane& plane, const Direction& d) {
+  const auto n = [&](std::size_t k) { return exact::Coefficient(plane.n[k]); };
+  return (n(0) * d[0] + n(1) * d[1]) + n(2) * d[2];
+}
+
+/// The start of a ray towards -y: s = v + t d - t^2 y - t^3 z + t^4 x for an infinitely small t > 0.
+struct RayStart {
+  exact::Point v;
+  Direction d;  // d_x > 0, or d = (0, 0, d_z)
+};
+
 /// All targets of an arrangement with their boxes; edges of sheet facets are indexed once.
 class Targets {
  public:
@@ -23,14 +38,11 @@ class Targets {
   std::uint32_t node(std::uint32_t t) const;
   /// Canonical plane, and whether a patch's outward normal is opposite to it.
   exact::Plane plane(std::uint32_t t, bool& turned) const;
-  /// Does the line in direction x through v, shifted by (-eps, -eps^2) in (y, z), pass through the target?
-  /// Precondition: the plane's normal has a component along x.
-  bool crossed(std::uint32_t t, const exact::Plane& plane, const exact::Point& v) const;
+  /// Does the line through s in direction y pass through the target?
+  /// Precondition: the plane's normal has a component along y.
+  bool crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) const;
 
  private:
-  bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::Point& b, const exact::Plane* line,
-                   const exact::Point& v) const;
-
   const Arrangement& a_;
   std::vector<Target> targets_;
   std::vector<Box> boxes_;

@@ -26,7 +26,7 @@ struct Corner {
 class Seeder {
  public:
   Seeder(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count)
-      : a_(a), component_of_(component_of), extreme_(count, none_yet), corners_(count), seeds_(count) {}
+      : a_(a), component_of_(component_of), extreme_(count, none_yet), corners_(count), direction_(count), seeds_(count) {}
 
   std::vector<Seed> run() {
     find_extremes();
@@ -137,9 +137,6 @@ class Seeder {
     });
   }
 
-  /// A vector along an edge; grid edges have components below 2^31, others are cross products of two normals, < 2^125.
-  using Direction = std::array<exact::Int<127>, 3>;
-
   std::optional<Direction> direction(Name v, Name w, const std::vector<const Corner*>& edge) const {
     Direction d;
     if (is_grid(v) && is_grid(w)) {
@@ -178,7 +175,7 @@ class Seeder {
     return exact::compare(d[2] * e[k], e[2] * d[k]) < 0;
   }
 
-  Side outer_side(std::uint32_t component) const {
+  Side outer_side(std::uint32_t component) {
     const Name v = extreme_[component];
     std::map<Name, std::vector<const Corner*>> edges;
     for (const Corner& c : corners_[component]) edges[c.w].push_back(&c);
@@ -191,6 +188,7 @@ class Seeder {
       chosen = &edge;
     }
     assert(chosen);
+    direction_[component] = best;
     // The first facet counter-clockwise around the edge: it turns left to every other.
     int k = 0;
     while (best[static_cast<std::size_t>(k)].sign() == 0) ++k;
@@ -215,19 +213,23 @@ class Seeder {
       tree.emplace(std::move(items));
     }
     for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
-      const exact::Point v = point(extreme_[c]);
+      const RayStart start{point(extreme_[c]), direction_[c]};
       Box ray;
-      ray.add(v.approximation);
-      ray.low[0] = INT32_MIN;
+      ray.add(start.v.approximation);
+      ray.low[1] = INT32_MIN;
       std::uint32_t nearest = none;
-      exact::Plane nearest_plane{};
-      bool nearest_turned = false;
+      exact::Plane nearest_plane{};  // oriented towards +y
+      bool nearest_turned = false;   // that is against the facet's front
       const auto consider = [&](std::uint32_t t) {
         bool turned = false;
-        const exact::Plane p = targets.plane(t, turned);
-        if (p.n[0] == 0 || !in_front(p, v)) return;
-        if (nearest != none && !nearer(p, nearest_plane, v)) return;
-        if (!targets.crossed(t, p, v)) return;
+        exact::Plane p = targets.plane(t, turned);
+        if (p.n[1] == 0) return;
+        if (p.n[1] < 0) {
+          p = p.opposite();
+          turned = !turned;
+        }
+        if (!in_front(p, start) || (nearest != none && !nearer(p, nearest_plane, start))) return;
+        if (!targets.crossed(t, p, start)) return;
         nearest = t;
         nearest_plane = p;
         nearest_turned = turned;
@@ -238,32 +240,32 @@ class Seeder {
         for (std::uint32_t t = 0; t < targets.size(); ++t)
           if (targets.box(t).meets(ray)) consider(t);
       }
-      // Canonical planes that are not parallel to x are positive towards +x: the ray comes from the front.
+      // The ray comes down on the side that looks towards +y.
       seeds_[c].beyond = nearest == none ? none : 2 * targets.node(nearest) + (nearest_turned ? 1 : 0);
     }
   }
 
-  /// Is the plane (p_x > 0) met by the ray from v' towards -x: is p(v') > 0, read lexicographically in the shift?
-  static bool in_front(const exact::Plane& p, const exact::Point& v) {
-    if (const int s = exact::side(p, v)) return s > 0;
-    if (p.n[1] != 0) return p.n[1] < 0;
-    return p.n[2] <= 0;  // both zero: the plane x = v_x lies delta away
+  /// Is the plane (p_y > 0) below s: is p(s) > 0? Its terms are p(v), p . d, then -p_y < 0.
+  static bool in_front(const exact::Plane& p, const RayStart& s) {
+    if (const int at_v = exact::side(p, s.v)) return at_v > 0;
+    return dot(p, s.d).sign() > 0;
   }
 
-  /// Is p met before q? The distances are p(v') / p_x and q(v') / q_x.
-  static bool nearer(const exact::Plane& p, const exact::Plane& q, const exact::Point& v) {
-    const exact::Coefficient px(p.n[0]), qx(q.n[0]);
+  /// Is p met before q? The distances p(s) / p_y and q(s) / q_y compare term by term; those of t^2 are equal.
+  static bool nearer(const exact::Plane& p, const exact::Plane& q, const RayStart& s) {
+    const exact::Coefficient py(p.n[1]), qy(q.n[1]);
     ++exact::counters().fixed_width;
-    if (const int c = exact::compare(exact::scaled_value(p, v) * qx, exact::scaled_value(q, v) * px)) return c < 0;
-    for (std::size_t k : {std::size_t{1}, std::size_t{2}})
-      if (const int c = exact::compare(exact::Coefficient(p.n[k]) * qx, exact::Coefficient(q.n[k]) * px)) return c > 0;
-    return false;
+    if (const int c = exact::compare(exact::scaled_value(p, s.v) * qy, exact::scaled_value(q, s.v) * py)) return c < 0;
+    if (const int c = exact::compare(dot(p, s.d) * qy, dot(q, s.d) * py)) return c < 0;
+    if (const int c = exact::compare(exact::Coefficient(p.n[2]) * qy, exact::Coefficient(q.n[2]) * py)) return c > 0;
+    return exact::compare(exact::Coefficient(p.n[0]) * qy, exact::Coefficient(q.n[0]) * py) < 0;
   }
 
   const Arrangement& a_;
   const std::vector<std::uint32_t>& component_of_;
   std::vector<Name> extreme_;
   std::vector<std::vector<Corner>> corners_;
+  std::vector<Direction> direction_;  // of each component's extreme edge
   std::vector<Seed> seeds_;
 };
 

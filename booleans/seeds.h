@@ -18,13 +18,15 @@ struct Seed {
 
 /// One seed per component. `component_of` maps facets and patches to components 0 .. count - 1.
 ///
-/// Take the lexicographically smallest vertex v of the component C. All of C lies lexicographically after v, so the
-/// point v' = v + (delta, -eps, -eps^2) with 1 >> eps >> eps^2 >> delta > 0 is free, and the ray from v' towards -x
-/// never meets C. The first facet that it meets, of another component, bounds the space around C there. The shift is
-/// symbolic: ties are broken by the signs of plane coefficients, so no ray is ever degenerate.
-/// Which side of C sees v': among the edges of C at v take the one of least slope dy/dx, then of least dz (a vertical
-/// edge dx = dy = 0 comes before all); all facets around it lie on one side of the vertical plane through it, and the
-/// first of them, turning from straight down, shows its outer side.
+/// Take the lexicographically smallest vertex v of the component C, and among its edges at v the one of least slope
+/// dy/dx, then of least dz (a vertical edge dx = dy = 0 comes before all); let d be its direction. All facets around it
+/// lie on one side of the vertical plane through it, and the first of them, turning from straight down, shows its outer
+/// side to the point s = v + t d - t^2 y - t^3 z + t^4 x, t > 0 infinitely small.
+/// The ray from s towards -y never meets C: near v all of C has a slope of at least d's, and all of C lies
+/// lexicographically after v. The first facet that it meets belongs to another component and bounds the same space; no
+/// facet passes between v and s, because none meets the edge but in v. That component has a smaller vertex, or the same
+/// one and a smaller slope, so following the seeds ends at infinity.
+/// The shift is symbolic: ties are broken by signs of lower terms, so no ray is ever degenerate.
 std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count);
 
 }  // namespace quoin::booleans

@@ -5,7 +5,9 @@
 namespace quoin::exact {
 namespace {
 
-std::uint64_t magnitude(std::int64_t v) { return v < 0 ? ~static_cast<std::uint64_t>(v) + 1 : static_cast<std::uint64_t>(v); }
+std::uint64_t magnitude(std::int64_t v) {
+  return v < 0 ? ~static_cast<std::uint64_t>(v) + 1 : static_cast<std::uint64_t>(v);
+}
 uint128 magnitude(int128 v) { return v < 0 ? ~static_cast<uint128>(v) + 1 : static_cast<uint128>(v); }
 
 /// A 2x2 minor of plane coefficients, p q' - q p'.
@@ -79,8 +81,10 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
   if (low != high) {
     // Exact: r = n 2^-scale - q d, or n - q d 2^scale; both sides are below 2^320.
     Int<384> a = numerator.negative() ? -numerator : numerator, b = denominator;
-    if (scale < 0) a = shifted_left(a, -scale);
-    else b = shifted_left(b, scale);
+    if (scale < 0)
+      a = shifted_left(a, -scale);
+    else
+      b = shifted_left(b, scale);
     const Int<65> factor{static_cast<int128>(q)};
     Int<384> r = narrow<384>(a - narrow<384>(factor * b));
     while (r.negative()) {

@@ -120,8 +120,10 @@ class Int {
 
   /// The low 128 bits; the value itself when Bits <= 128.
   int128 low() const {
-    if constexpr (words == 1) return static_cast<std::int64_t>(limb_[0]);
-    else return static_cast<int128>((uint128(limb_[1]) << 64) | limb_[0]);
+    if constexpr (words == 1)
+      return static_cast<std::int64_t>(limb_[0]);
+    else
+      return static_cast<int128>((uint128(limb_[1]) << 64) | limb_[0]);
   }
 
   /// Nearest double, ties to even. Bits < 1024, so it never overflows.
@@ -234,7 +236,8 @@ inline Int<To> narrow(const Int<From>& v) {
     const Int<From> back = r;
     bool fits = back == v;
     constexpr int top = (To - 1) % 64;  // the sign bit's place in the top limb
-    const std::uint64_t high = static_cast<std::uint64_t>(static_cast<std::int64_t>(r.limb_[Int<To>::words - 1]) >> top);
+    const std::uint64_t high =
+        static_cast<std::uint64_t>(static_cast<std::int64_t>(r.limb_[Int<To>::words - 1]) >> top);
     fits = fits && (high == 0 || high == ~std::uint64_t{0});
     const Int<From + 1> flipped = -Int<From + 1>(v);  // -2^(To-1) has the right bits but is out of the symmetric range
     fits = fits && (!v.negative() || ((flipped.limb_[Int<To>::words - 1] >> top) & 1) == 0);

@@ -13,15 +13,17 @@ inline constexpr int coefficient_magnitude = 62;  // bits of L
 
 /// Signed bits of a quantity of at most factor * L^degree, factor = 2^log2_factor.
 /// L^degree < 2^(62 degree), so the magnitude needs 62 degree + log2_factor bits, plus one for the sign.
-inline constexpr int ladder_bits(int degree, int log2_factor) { return coefficient_magnitude * degree + log2_factor + 1; }
+inline constexpr int ladder_bits(int degree, int log2_factor) {
+  return coefficient_magnitude * degree + log2_factor + 1;
+}
 
-using Coefficient = Int<ladder_bits(1, 0)>;    // a, b, c
-using Offset = Int<ladder_bits(2, 0)>;         // d
-using Denominator = Int<ladder_bits(3, 2)>;    // w, determinant of three normals: 4 L^3
-using Numerator = Int<ladder_bits(4, 2)>;      // x, y, z of a vertex: 4 L^4
-using SideValue = Int<ladder_bits(5, 4)>;      // 4x4 determinant, a plane at a vertex: 16 L^5
-using OrderValue = Int<ladder_bits(7, 5)>;     // x1 w2 - x2 w1: 32 L^7
-using TripleValue = Int<ladder_bits(11, 8)>;   // orientation of three derived points in a plane: 256 L^11
+using Coefficient = Int<ladder_bits(1, 0)>;   // a, b, c
+using Offset = Int<ladder_bits(2, 0)>;        // d
+using Denominator = Int<ladder_bits(3, 2)>;   // w, determinant of three normals: 4 L^3
+using Numerator = Int<ladder_bits(4, 2)>;     // x, y, z of a vertex: 4 L^4
+using SideValue = Int<ladder_bits(5, 4)>;     // 4x4 determinant, a plane at a vertex: 16 L^5
+using OrderValue = Int<ladder_bits(7, 5)>;    // x1 w2 - x2 w1: 32 L^7
+using TripleValue = Int<ladder_bits(11, 8)>;  // orientation of three derived points in a plane: 256 L^11
 
 static_assert(Coefficient::bits == 63 && Coefficient::words == 1);
 static_assert(Offset::bits == 125 && Offset::words == 2);

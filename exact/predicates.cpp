@@ -10,7 +10,8 @@ namespace {
 /// roundings of the permanent itself. Entries are integers, so nothing underflows. Proved by docs/proofs/turn_filter.g.
 int turn_filter(const Plane& p, const Plane& q, const Plane& r) {
   const auto a = approximation(p).n, b = approximation(q).n, c = approximation(r).n;
-  const double bc = b[1] * c[2], cb = b[2] * c[1], ca = b[2] * c[0], ac = b[0] * c[2], ab = b[0] * c[1], ba = b[1] * c[0];
+  const double bc = b[1] * c[2], cb = b[2] * c[1], ca = b[2] * c[0], ac = b[0] * c[2], ab = b[0] * c[1],
+               ba = b[1] * c[0];
   const double value = a[0] * (bc - cb) + a[1] * (ca - ac) + a[2] * (ab - ba);
   const double bound = (16 * unit_roundoff) * (std::fabs(a[0]) * (std::fabs(bc) + std::fabs(cb)) +
                                                std::fabs(a[1]) * (std::fabs(ca) + std::fabs(ac)) +
@@ -30,7 +31,8 @@ int dominant_axis(const Plane& p) {
 double largest(double a, double b, double c) { return std::max({std::fabs(a), std::fabs(b), std::fabs(c)}); }
 
 /// Filter for the orientation of three points projected along axis k: (xb - xa)(yc - ya) - (xc - xa)(yb - ya).
-/// With u the unit roundoff, M the largest |x|, N the largest |y|, E and F the largest |difference| computed in x and y:
+/// With u the unit roundoff, M the largest |x|, N the largest |y|, E and F the largest |difference| computed in x and
+/// y:
 ///   a rounded coordinate is within u M of the true one, so a computed difference e is within u (2 M + |e|) of its own;
 ///   a product is within u (E (2 N + F) + F (2 M + E) + E F) + u^2 (2 M + E) (2 N + F), its rounding included;
 ///   two of them and the rounding of their difference (2 u E F): u (4 E N + 4 F M + 8 E F) + 2 u^2 (4 M) (4 N);
@@ -96,7 +98,8 @@ int orientation_in_plane_exact(const Plane& p, const Point& a, const Point& b, c
 }
 
 int orientation_in_plane(const Plane& p, const Point& a, const Point& b, const Point& c) {
-  assert(!checked || (scaled_value(p, a).sign() == 0 && scaled_value(p, b).sign() == 0 && scaled_value(p, c).sign() == 0));
+  assert(!checked ||
+         (scaled_value(p, a).sign() == 0 && scaled_value(p, b).sign() == 0 && scaled_value(p, c).sign() == 0));
   const int k = dominant_axis(p);
   const int filtered = projected_filter(k, a, b, c);
   if (filtered == 2) return orientation_in_plane_exact(p, a, b, c);

@@ -61,8 +61,10 @@ double rounded(const Rational& v, int precision, int least_exponent) {
   for (long top = e + 1; top >= e; --top) {  // try exponents until the quotient has its leading bit there
     const long unit = std::max<long>(top - precision + 1, least_exponent);  // weight of the last kept bit
     Integer a = n, b = d;
-    if (unit >= 0) b <<= static_cast<unsigned long>(unit);
-    else a <<= static_cast<unsigned long>(-unit);
+    if (unit >= 0)
+      b <<= static_cast<unsigned long>(unit);
+    else
+      a <<= static_cast<unsigned long>(-unit);
     Integer q, r;
     divide_qr(a, b, q, r);
     if (top > e && top - precision + 1 > least_exponent &&
@@ -106,6 +108,8 @@ float to_float(const Rational& v) {
   return static_cast<float>(r);  // exact, or infinite beyond the range
 }
 
-Rational coordinate(const Point& u, int k) { return Rational(to_integer(u.x[static_cast<std::size_t>(k)]), to_integer(u.w)); }
+Rational coordinate(const Point& u, int k) {
+  return Rational(to_integer(u.x[static_cast<std::size_t>(k)]), to_integer(u.w));
+}
 
 }  // namespace quoin::exact

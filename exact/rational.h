@@ -35,9 +35,9 @@ std::optional<Int<Bits>> to_int(const Integer& v) {
     // Limbs enter in halves, so that no part looks negative.
     const std::uint64_t limb = limbs[static_cast<std::size_t>(i)];
     r = shifted_left(r, 32);
-    r = narrow<Bits>(r + Int<Bits < 34 ? Bits : 34>(static_cast<int128>(limb >> 32)));
+    r = narrow<Bits>(r + Int < Bits < 34 ? Bits : 34 > (static_cast<int128>(limb >> 32)));
     r = shifted_left(r, 32);
-    r = narrow<Bits>(r + Int<Bits < 34 ? Bits : 34>(static_cast<int128>(limb & 0xFFFFFFFFu)));
+    r = narrow<Bits>(r + Int < Bits < 34 ? Bits : 34 > (static_cast<int128>(limb & 0xFFFFFFFFu)));
   }
   return v < 0 ? -r : r;
 }

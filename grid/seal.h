@@ -1,5 +1,5 @@
 /// \file
-/// Import, step 4: triangles of zero area give their middle corner to the neighbour over their long edge.
+/// Import, step 4: triangles of zero area go, and their corners become points on their neighbours' edges.
 #pragma once
 
 #include <array>
@@ -13,11 +13,12 @@ namespace quoin::grid {
 /// Whether three grid points lie on one line.
 bool collinear(const exact::GridPoint& p, const exact::GridPoint& q, const exact::GridPoint& r);
 
-/// Removes the triangles `slivers` (indices into `triangles`; each has three distinct collinear corners). A sliver
-/// (a, m, b) with m between a and b and its neighbour (a, b, c) become (a, m, c), in the neighbour's place, and
-/// (m, b, c), at the end; longest edges first, until no sliver is left. The sum of the directed edges is unchanged.
-/// False when some long edge has no neighbour: then the surface is open, and is left open.
-/// The points are pairwise distinct, and no other triangle has zero area.
+/// Removes the triangles `slivers` (ascending indices into `triangles`; each has three distinct collinear corners).
+/// Where they leave edges of their neighbours that no longer balance, these get corners of the slivers as points, and
+/// the neighbours are cut into triangles of positive area: the first stands where the neighbour stood, the others at
+/// the end. What was balanced stays balanced. O(n log n); at most one new point for each side of a sliver. False, with
+/// nothing changed, when some side lacks its neighbour: then the surface is open. The points are pairwise distinct, and
+/// no other triangle has zero area.
 bool seal(const std::vector<exact::GridPoint>& points, std::vector<std::array<std::uint32_t, 3>>& triangles,
           const std::vector<std::uint32_t>& slivers);
 

@@ -296,7 +296,8 @@ std::string write_quoin(const ExactDocument& document) {
       }
     }
   }
-  return out.append("end\n");
+  out.append("end\n");
+  return out;
 }
 
 Result<ExactDocument> read_quoin(std::string_view text) {

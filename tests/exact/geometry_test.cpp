@@ -54,7 +54,8 @@ bool is_nearest(const Rational& v, double r) {
 
 Plane random_plane(std::mt19937_64& random) {
   for (;;) {
-    const std::array<std::int64_t, 3> n{biased_coefficient(random), biased_coefficient(random), biased_coefficient(random)};
+    const std::array<std::int64_t, 3> n{biased_coefficient(random), biased_coefficient(random),
+                                        biased_coefficient(random)};
     if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;
     int128 d = biased<Offset::bits>(random).low();
     d = std::clamp(d, -offset_limit, offset_limit);
@@ -103,10 +104,12 @@ TEST(GeometryTest, ReducedPlaneIsAFunctionOfTheOrientedPlane) {
 }
 
 TEST(GeometryTest, CompareIsLexicographic) {
-  const std::vector<Plane> sorted{{{-2, 5, 0}, 0}, {{-1, -3, 9}, 4}, {{-1, 0, 0}, -offset_limit}, {{-1, 0, 0}, 1},
-                                  {{-1, 0, 1}, -1}, {{0, 0, 1}, 0},   {{0, 1, 0}, offset_limit},   {{limit, -limit, 0}, 0}};
+  const std::vector<Plane> sorted{{{-2, 5, 0}, 0},           {{-1, -3, 9}, 4},       {{-1, 0, 0}, -offset_limit},
+                                  {{-1, 0, 0}, 1},           {{-1, 0, 1}, -1},       {{0, 0, 1}, 0},
+                                  {{0, 1, 0}, offset_limit}, {{limit, -limit, 0}, 0}};
   for (std::size_t i = 0; i < sorted.size(); ++i)
-    for (std::size_t j = 0; j < sorted.size(); ++j) ASSERT_EQ(compare(sorted[i], sorted[j]), i < j ? -1 : i > j ? 1 : 0);
+    for (std::size_t j = 0; j < sorted.size(); ++j)
+      ASSERT_EQ(compare(sorted[i], sorted[j]), i < j ? -1 : i > j ? 1 : 0);
 }
 
 void check_plane_through(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
@@ -144,7 +147,7 @@ TEST(GeometryTest, PlaneThroughTheCornersOfTheWorld) {
       for (const auto& r : points) check_plane_through(p, q, r);
   // A component as long as the world allows, 2^60 (a triangle covers at most half of a square of side 2^30), less 1.
   EXPECT_EQ(*plane_through({{-world, -world, 0}}, {{world, -world + 1, 0}}, {{-world + 1, world, 1}}),
-            (Plane{{1, -(1 << 30), (std::int64_t{1} << 60) - 1}, int128(world) * ((std::int64_t{1} << 60) - (1 << 30))}));
+            (Plane{{1, -(1 << 30), (std::int64_t{1} << 60) - 1}, int128(world) * (1 - (1 << 30))}));
   EXPECT_EQ(plane_through({{1, 1, 1}}, {{1, 1, 1}}, {{5, 2, 3}}), std::nullopt);
   EXPECT_EQ(*plane_through({{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}), (Plane{{0, 0, 1}, 0}));  // counter-clockwise from +z
 }
@@ -153,7 +156,8 @@ TEST(GeometryTest, PlaneThroughRandomPoints) {
   std::mt19937_64 random = generator(301);
   for (int i = 0; i < 5000; ++i) {
     const std::int32_t size = i % 3 == 0 ? world : i % 3 == 1 ? 2 : 1000;
-    check_plane_through(random_grid_point(random, size), random_grid_point(random, size), random_grid_point(random, size));
+    check_plane_through(random_grid_point(random, size), random_grid_point(random, size),
+                        random_grid_point(random, size));
   }
 }
 
@@ -195,7 +199,8 @@ TEST(GeometryTest, MeetAgreesWithCramersRuleInRationals) {
 // E06: a 3x3 determinant reaches 4 L^3, its numerators 4 L^4, the 4x4 one 16 L^5.
 TEST(GeometryTest, BoundsOfTheLadderAreAttained) {
   const std::array<Plane, 4> p{Plane{{limit, limit, limit}, offset_limit}, Plane{{limit, -limit, limit}, -offset_limit},
-                               Plane{{limit, limit, -limit}, -offset_limit}, Plane{{limit, -limit, -limit}, offset_limit}};
+                               Plane{{limit, limit, -limit}, -offset_limit},
+                               Plane{{limit, -limit, -limit}, offset_limit}};
   const Integer l = limit;
   for (std::size_t skip = 0; skip < 4; ++skip) {
     const Plane &a = p[(skip + 1) % 4], &b = p[(skip + 2) % 4], &c = p[(skip + 3) % 4];
@@ -225,10 +230,12 @@ void check_quotient(const Integer& numerator, const Integer& denominator) {
 
 TEST(GeometryTest, RoundedQuotientOfExtremes) {
   const Integer one = 1, l = limit, most_n = 4 * l * l * l * l, most_d = 4 * l * l * l;
-  for (const Integer& n : {Integer(0), one, Integer(2), Integer(3), most_n, Integer(most_n - 1), Integer((one << 250) - 1),
-                           Integer(one << 249), Integer((one << 64) - 1), Integer(one << 64), Integer((one << 64) + 1)})
-    for (const Integer& d : {one, Integer(2), Integer(3), most_d, Integer(most_d - 1), Integer((one << 188) - 1),
-                             Integer(one << 187), Integer((one << 63) - 1), Integer(one << 63), Integer((one << 64) + 1)})
+  for (const Integer& n :
+       {Integer(0), one, Integer(2), Integer(3), most_n, Integer(most_n - 1), Integer((one << 250) - 1),
+        Integer(one << 249), Integer((one << 64) - 1), Integer(one << 64), Integer((one << 64) + 1)})
+    for (const Integer& d :
+         {one, Integer(2), Integer(3), most_d, Integer(most_d - 1), Integer((one << 188) - 1), Integer(one << 187),
+          Integer((one << 63) - 1), Integer(one << 63), Integer((one << 64) + 1)})
       check_quotient(n, d);
 }
 
@@ -259,7 +266,8 @@ TEST(GeometryTest, RoundedQuotientOfExactAndTiedNumbers) {
 TEST(GeometryTest, RoundedQuotientNearTies) {
   std::mt19937_64 random = generator(305);
   for (int i = 0; i < 20000; ++i) {
-    const Integer d = (Integer(1) << static_cast<unsigned>(between(random, 100, 187))) + abs(biased_integer(random, 100));
+    const Integer d =
+        (Integer(1) << static_cast<unsigned>(between(random, 100, 187))) + abs(biased_integer(random, 100));
     Integer kept = (Integer(1) << 53) + Integer(random() >> 11);  // 54 bits: doubles and ties
     if (i % 7 == 0) kept = (Integer(1) << 54) - 1 - i % 4;
     for (int e = -2; e <= 2; ++e) check_quotient(kept * d + e, d);
@@ -355,7 +363,8 @@ TEST(GeometryTest, SegmentMeetEqualsTheMeetOfThreePlanes) {
     for (const Numerator& x : m.x) ASSERT_LT(abs(to_integer(x)), Integer(1) << 124);
     // Two planes through u, v and a third point each.
     for (int attempt = 0; attempt < 20; ++attempt) {
-      const auto q = plane_through(u, v, random_grid_point(random, size)), r = plane_through(v, u, random_grid_point(random, size));
+      const auto q = plane_through(u, v, random_grid_point(random, size)),
+                 r = plane_through(v, u, random_grid_point(random, size));
       if (!q || !r) continue;
       const auto w = meet(p, *q, *r);
       if (!w) continue;

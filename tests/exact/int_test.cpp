@@ -159,7 +159,8 @@ template <int Bits>
 void check_ties() {
   std::mt19937_64 random = generator(102);
   for (int i = 0; i < 2000; ++i) {
-    // 53 kept bits, then exactly a half, then one more or less far below; kept bits of both parities, all ones included.
+    // 53 kept bits, then exactly a half, then one more or less far below; kept bits of both parities, all ones
+    // included.
     Integer kept = (Integer(1) << 52) + Integer(random() >> 12);
     if (i % 5 == 0) kept = (Integer(1) << 53) - 1 - i % 2;
     const unsigned drop = 2 + static_cast<unsigned>(below(random, Bits - 1 - 53 - 2));

@@ -16,7 +16,8 @@ constexpr std::int64_t limit = coefficient_limit;
 using Vector = std::array<Rational, 3>;
 
 Vector normal(const Plane& p) {
-  return {Rational(to_integer(int128(p.n[0]))), Rational(to_integer(int128(p.n[1]))), Rational(to_integer(int128(p.n[2])))};
+  return {Rational(to_integer(int128(p.n[0]))), Rational(to_integer(int128(p.n[1]))),
+          Rational(to_integer(int128(p.n[2])))};
 }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector cross(const Vector& a, const Vector& b) {
@@ -25,7 +26,9 @@ Vector cross(const Vector& a, const Vector& b) {
 Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 int expected_side(const Plane& p, const Point& u) { return sign_of(rational_value(p, coordinates(u))); }
-int expected_turn(const Plane& p, const Plane& q, const Plane& r) { return sign_of(dot(normal(p), cross(normal(q), normal(r)))); }
+int expected_turn(const Plane& p, const Plane& q, const Plane& r) {
+  return sign_of(dot(normal(p), cross(normal(q), normal(r))));
+}
 int expected_orientation(const Plane& p, const Point& a, const Point& b, const Point& c) {
   const Vector o = coordinates(a);
   return sign_of(dot(normal(p), cross(minus(coordinates(b), o), minus(coordinates(c), o))));
@@ -171,7 +174,8 @@ TEST(PredicatesTest, ComparisonSeparatesPointsWithOneApproximation) {
   EXPECT_EQ(compare_lexicographic(v, u), 1);
 }
 
-// ----------------------------------------------------------------------------------------------------- normals of planes
+// ----------------------------------------------------------------------------------------------------- normals of
+// planes
 
 void check_turn(const Plane& p, const Plane& q, const Plane& r) {
   const int expected = expected_turn(p, q, r);
@@ -315,7 +319,8 @@ TEST(PredicatesTest, AllSmallTriplesAgainstAllSmallPlanes) {
       }
 }
 
-// ------------------------------------------------------------------------------------------- orientation within a plane
+// ------------------------------------------------------------------------------------------- orientation within a
+// plane
 
 void check_orientation(const Plane& p, const Point& a, const Point& b, const Point& c, int expected) {
   const auto ask = [](const Plane& plane, const Point& x, const Point& y, const Point& z) {
@@ -416,14 +421,16 @@ TEST(PredicatesTest, ProjectedDeterminantAtItsBound) {
   };
   const Integer bound = 256 * pow(l, 11);
   for (int swapped = 0; swapped < 2; ++swapped) {
-    const Point a = at(1, 1), b = at(swapped ? 1 : -1, swapped ? -1 : 1), c = at(-1, -1), d = at(swapped ? -1 : 1, swapped ? 1 : -1);
+    const Point a = at(1, 1), b = at(swapped ? 1 : -1, swapped ? -1 : 1), c = at(-1, -1),
+                d = at(swapped ? -1 : 1, swapped ? 1 : -1);
     EXPECT_EQ(to_integer(projected_determinant(2, a, b, c)), swapped ? Integer(-bound) : bound);
     EXPECT_EQ(to_integer(projected_determinant(2, a, b, d)), to_integer(projected_determinant(2, b, d, a)));
     EXPECT_EQ(abs(to_integer(projected_determinant(2, d, c, b))), bound);
   }
 }
 
-// ------------------------------------------------------------------------------------------------------ worked examples
+// ------------------------------------------------------------------------------------------------------ worked
+// examples
 
 // E01: floating point calls u and v distinct by one pair of lines and equal by the other; all exact answers agree.
 TEST(PredicatesTest, E01IncidenceIsSymmetric) {
@@ -473,10 +480,14 @@ struct Pappus {
 /// Points 1 to 5 fixed, the sixth at (p / q, 1); everything else is constructed from lines.
 Pappus pappus(std::int64_t p, std::int64_t q) {
   Pappus r;
-  r.lines = {{1, line(0, 1, 0)},        {2, line(0, 1, -1)},      {3, line(1, -1, 0)}, {4, line(1, 0, -1)}, {5, line(1, -2, -1)},
-             {6, line(1, 1, -4)},       // 4, 5
+  r.lines = {{1, line(0, 1, 0)},
+             {2, line(0, 1, -1)},
+             {3, line(1, -1, 0)},
+             {4, line(1, 0, -1)},
+             {5, line(1, -2, -1)},
+             {6, line(1, 1, -4)},              // 4, 5
              {7, line(q, 4 * q - p, -4 * q)},  // 5, 6
-             {8, line(q, -p, 0)}};      // 1, 6
+             {8, line(q, -p, 0)}};             // 1, 6
   const auto at = [&r](int l, int m) { return cut(r.lines.at(l), r.lines.at(m)); };
   r.points = {{1, at(1, 3)}, {2, at(2, 3)}, {3, at(1, 4)}, {4, at(2, 5)}, {5, at(1, 6)},
               {6, at(2, 7)}, {7, at(3, 6)}, {8, at(5, 8)}, {9, at(4, 7)}};
@@ -490,8 +501,9 @@ TEST(PredicatesTest, E10PappusConfiguration) {
   Pappus c = pappus(0, 1);
   c.lines.emplace(9, line(5, -4, -2));
   const Rational half(1, 2);
-  const std::map<int, Vector> expected{{1, {0, 0, 0}}, {2, {1, 1, 0}}, {3, {1, 0, 0}},     {4, {3, 1, 0}}, {5, {4, 0, 0}},
-                                       {6, {0, 1, 0}}, {7, {2, 2, 0}}, {8, {0, -half, 0}}, {9, {1, Rational(3, 4), 0}}};
+  const std::map<int, Vector> expected{{1, {0, 0, 0}}, {2, {1, 1, 0}},     {3, {1, 0, 0}},
+                                       {4, {3, 1, 0}}, {5, {4, 0, 0}},     {6, {0, 1, 0}},
+                                       {7, {2, 2, 0}}, {8, {0, -half, 0}}, {9, {1, Rational(3, 4), 0}}};
   for (const auto& [i, u] : c.points) EXPECT_EQ(coordinates(u), expected.at(i)) << i;
   int on = 0;
   for (const auto& [l, plane] : c.lines)
@@ -507,7 +519,8 @@ TEST(PredicatesTest, E10PappusConfiguration) {
 TEST(PredicatesTest, E10PappusTheorem) {
   std::mt19937_64 random = generator(407);
   for (int i = 0; i < 200; ++i) {
-    const std::int64_t q = i == 0 ? 10 : between(random, 1, 1 << 20), p = i == 0 ? 1 : between(random, -(1 << 20), 1 << 20);
+    const std::int64_t q = i == 0 ? 10 : between(random, 1, 1 << 20),
+                       p = i == 0 ? 1 : between(random, -(1 << 20), 1 << 20);
     if (p == q || p == 3 * q || 4 * q == p) continue;
     const Pappus c = pappus(p, q);
     EXPECT_EQ(coordinate(c.points.at(6), 0), Rational(p, q));

@@ -47,9 +47,11 @@ TEST(RationalTest, ParsesDecimalsAndQuotientsExactly) {
 }
 
 TEST(RationalTest, RefusesEveryOtherText) {
-  for (const char* text : {"", " ", "+", "-", ".", "-.", "e5", ".e5", "1e", "1e+", "1e5.0", "1e5x", "1 ", " 1", "1x", "0x10",
-                           "1,5", "--1", "+-1", "1..2", "1.2.3", "1/", "/1", "/", "1/0", "1/0.0", "0/0", "1//2", "1/2/3",
-                           "1e401", "1e-401", "1e99999999999999999999", "nan", "inf", "-inf", "NaN", "1'000", "1_000"})
+  for (const char* text : {"",    " ",     "+",     "-",    ".",     "-.",    "e5",     ".e5",
+                           "1e",  "1e+",   "1e5.0", "1e5x", "1 ",    " 1",    "1x",     "0x10",
+                           "1,5", "--1",   "+-1",   "1..2", "1.2.3", "1/",    "/1",     "/",
+                           "1/0", "1/0.0", "0/0",   "1//2", "1/2/3", "1e401", "1e-401", "1e99999999999999999999",
+                           "nan", "inf",   "-inf",  "NaN",  "1'000", "1_000"})
     EXPECT_FALSE(parse_rational(text).has_value()) << text;
   EXPECT_FALSE(parse_rational(std::string_view("1\0", 2)).has_value());
   EXPECT_TRUE(parse_rational(std::string(4000, '9')).has_value());
@@ -102,7 +104,8 @@ template <class Float, class Round>
 void check_between_neighbours(double low, const Round& round) {
   const Float a = static_cast<Float>(low), b = std::nextafter(a, std::numeric_limits<Float>::infinity());
   if (!std::isfinite(a) || !std::isfinite(b)) return;
-  const Rational ra = to_rational(a), rb = to_rational(b), middle = (ra + rb) / 2, tiny = (rb - ra) / (Integer(1) << 200);
+  const Rational ra = to_rational(a), rb = to_rational(b), middle = (ra + rb) / 2,
+                 tiny = (rb - ra) / (Integer(1) << 200);
   ASSERT_LT(ra, rb);
   int e = 0;
   const Float scaled = std::ldexp(std::frexp(a, &e), std::numeric_limits<Float>::digits);
@@ -125,9 +128,12 @@ TEST(RationalTest, RoundsToNearestTiesToEven) {
     const double v = random_double(random);
     check_between_neighbours<double>(v, as_double);
     check_between_neighbours<double>(std::ldexp(v, -1000), as_double);
-    check_between_neighbours<float>(std::ldexp(1.0 + static_cast<double>(random() >> 11) * 0x1p-53, static_cast<int>(between(random, -155, 126))), as_float);
+    check_between_neighbours<float>(
+        std::ldexp(1.0 + static_cast<double>(random() >> 11) * 0x1p-53, static_cast<int>(between(random, -155, 126))),
+        as_float);
   }
-  for (const double v : {1.0, 0x1.fffffffffffffp0, -1.0, 0x1p-1022, 0x0.fffffffffffffp-1022, 0x1p-1074, 0.0, -0x1p-1074})
+  for (const double v :
+       {1.0, 0x1.fffffffffffffp0, -1.0, 0x1p-1022, 0x0.fffffffffffffp-1022, 0x1p-1074, 0.0, -0x1p-1074})
     check_between_neighbours<double>(v, as_double);
 }
 

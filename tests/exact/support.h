@@ -42,13 +42,27 @@ inline Integer biased_integer(std::mt19937_64& random, unsigned magnitude) {
   const unsigned k = static_cast<unsigned>(below(random, magnitude));
   Integer v;
   switch (below(random, 8)) {
-    case 0: v = below(random, 3); break;
-    case 1: v = (Integer(1) << magnitude) - 1 - below(random, 2); break;
-    case 2: v = Integer(1) << k; break;
-    case 3: v = (Integer(1) << k) - 1; break;
-    case 4: v = k + 1 < magnitude ? (Integer(1) << k) + 1 : Integer(1); break;
-    case 5: v = uniform(magnitude); break;
-    default: v = uniform(k + 1); break;
+    case 0:
+      v = below(random, 3);
+      break;
+    case 1:
+      v = (Integer(1) << magnitude) - 1 - below(random, 2);
+      break;
+    case 2:
+      v = Integer(1) << k;
+      break;
+    case 3:
+      v = (Integer(1) << k) - 1;
+      break;
+    case 4:
+      v = k + 1 < magnitude ? (Integer(1) << k) + 1 : Integer(1);
+      break;
+    case 5:
+      v = uniform(magnitude);
+      break;
+    default:
+      v = uniform(k + 1);
+      break;
   }
   v %= Integer(1) << magnitude;
   return below(random, 2) == 0 ? v : Integer(-v);
@@ -83,7 +97,9 @@ inline Rational rational_value(const Plane& p, const std::array<Rational, 3>& u)
   return Rational(to_integer(int128(p.n[0]))) * u[0] + Rational(to_integer(int128(p.n[1]))) * u[1] +
          Rational(to_integer(int128(p.n[2]))) * u[2] + Rational(to_integer(p.d));
 }
-inline std::array<Rational, 3> coordinates(const Point& u) { return {coordinate(u, 0), coordinate(u, 1), coordinate(u, 2)}; }
+inline std::array<Rational, 3> coordinates(const Point& u) {
+  return {coordinate(u, 0), coordinate(u, 1), coordinate(u, 2)};
+}
 inline int sign_of(const Rational& v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
 inline int sign_of(const Integer& v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
 

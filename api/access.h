@@ -1,0 +1,60 @@
+/// \file
+/// The way from the public values to what they hold, and back.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "booleans/body.h"
+#include "grid/grid.h"
+#include "quoin/quoin.h"
+
+namespace quoin {
+
+struct Grid::Data {
+  grid::Lattice lattice;
+};
+
+/// A node of a public expression: a solid, a half-space, or terms under a rule.
+struct Expression::Node {
+  enum class Kind { solid, half_space, any, all, odd, complement };
+
+  Kind kind;
+  Solid solid = {};
+  HalfSpace half_space = {};
+  mutable std::vector<Expression> terms = {};  // taken apart by the destructor alone
+
+  Node(Kind k, std::vector<Expression> t) : kind(k), terms(std::move(t)) {}
+  explicit Node(const Solid& s) : kind(Kind::solid), solid(s) {}
+  explicit Node(const HalfSpace& h) : kind(Kind::half_space), half_space(h) {}
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+  /// Without recursion: expressions may be deep.
+  ~Node();
+};
+
+struct Access {
+  using Node = Expression::Node;
+
+  static const grid::Lattice& lattice(const Grid& grid) { return grid.data_->lattice; }
+  static const grid::Lattice& lattice(const Solid& solid) { return lattice(solid.grid_); }
+  /// Precondition: the step is positive.
+  static Grid grid(grid::Lattice lattice);
+
+  static Solid solid(const Grid& grid, std::shared_ptr<const booleans::Body> body) {
+    return Solid(grid, std::move(body));
+  }
+  static Solid solid(const Grid& grid, booleans::Body&& body) {
+    return Solid(grid, std::make_shared<const booleans::Body>(std::move(body)));
+  }
+  /// A solid without a body (empty by default, or moved from) has the empty one.
+  static const booleans::Body& body(const Solid& solid);
+  /// Equal identities are equal bodies; nullptr is the empty one.
+  static const booleans::Body* identity(const Solid& solid) { return solid.body_.get(); }
+
+  /// nullptr where an expression was moved from: no terms.
+  static const Node* node(const Expression& expression) { return expression.node_.get(); }
+};
+
+}  // namespace quoin

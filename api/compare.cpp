@@ -1,0 +1,54 @@
+#include "api/compare.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "api/access.h"
+#include "booleans/canonical.h"
+#include "booleans/query.h"
+
+namespace quoin {
+
+using booleans::Body;
+using booleans::Canonical;
+
+bool equal_on_one_grid(const Body& a, const Body& b) {
+  const auto p = booleans::bounds(a), q = booleans::bounds(b);
+  if (p.has_value() != q.has_value()) return false;
+  if (p && (p->low != q->low || p->high != q->high)) return false;
+  return booleans::canonical(a) == booleans::canonical(b);
+}
+
+namespace {
+
+/// The faces by their loops alone: on equal vertices these determine the planes, and no order of planes depends on the
+/// grid then. Each face is the lengths and corners of its loops.
+std::vector<std::vector<std::uint32_t>> sorted_faces(const Canonical& form) {
+  std::vector<std::vector<std::uint32_t>> faces(form.face_count());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::uint32_t j = form.face_loops[i]; j < form.face_loops[i + 1]; ++j) {
+      const std::uint32_t begin = form.loop_corners[j], end = form.loop_corners[j + 1];
+      faces[i].push_back(end - begin);
+      faces[i].insert(faces[i].end(), form.corners.begin() + begin, form.corners.begin() + end);
+    }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+bool equal_across_grids(const Solid& a, const Solid& b) {
+  const Canonical p = booleans::canonical(Access::body(a)), q = booleans::canonical(Access::body(b));
+  if (p.vertices.size() != q.vertices.size() || p.face_count() != q.face_count() ||
+      p.corners.size() != q.corners.size() || p.loop_corners.size() != q.loop_corners.size())
+    return false;
+  const grid::Lattice &s = Access::lattice(a), &t = Access::lattice(b);
+  // Both are in lexicographic order, which no positive scaling and no shift changes.
+  for (std::size_t v = 0; v < p.vertices.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      if (grid::model_coordinate(s, p.vertices[v], k) != grid::model_coordinate(t, q.vertices[v], k)) return false;
+  return sorted_faces(p) == sorted_faces(q);
+}
+
+}  // namespace quoin

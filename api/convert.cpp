@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <optional>
+
+#include "api/access.h"
+#include "booleans/canonical.h"
+#include "exact/rational.h"
+
+namespace quoin {
+
+using booleans::Body;
+using exact::Integer;
+using exact::Rational;
+
+namespace {
+
+/// new = (scale * old + shift) / divisor, all integers, scale and divisor > 0: grid steps of one lattice to another's.
+struct Map {
+  Integer scale, divisor;
+  std::array<Integer, 3> shift;
+};
+
+Map map_between(const grid::Lattice& from, const grid::Lattice& to) {
+  const Rational ratio = from.step / to.step;
+  std::array<Rational, 3> shift;
+  Map map;
+  map.divisor = denominator(ratio);
+  for (std::size_t k = 0; k < 3; ++k) {
+    shift[k] = (from.origin[k] - to.origin[k]) / to.step;
+    map.divisor = lcm(map.divisor, denominator(shift[k]));
+  }
+  map.scale = numerator(Rational(ratio * map.divisor));
+  for (std::size_t k = 0; k < 3; ++k) map.shift[k] = numerator(Rational(shift[k] * map.divisor));
+  return map;
+}
+
+enum class Fault { none, inexact, out_of_range };
+
+/// Carries elements over; the first that does not fit is remembered and the others are then meaningless.
+class Mover {
+ public:
+  explicit Mover(const Map& map) : map_(map) {}
+  Fault fault() const { return fault_; }
+
+  exact::Point point(const exact::Point& p) {
+    const Integer w = exact::to_integer(p.w);
+    std::array<Integer, 4> v{0, 0, 0, map_.divisor * w};
+    Integer content = v[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = map_.scale * exact::to_integer(p.x[k]) + map_.shift[k] * w;
+      content = gcd(content, v[k]);
+    }
+    for (Integer& x : v) x /= content;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (abs(v[k]) > v[3] * exact::world) return fail(Fault::out_of_range, p);
+    exact::Point r{};
+    const auto denominator = exact::to_int<exact::Denominator::bits>(v[3]);
+    if (!denominator) return fail(Fault::inexact, p);
+    r.w = *denominator;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto numerator = exact::to_int<exact::Numerator::bits>(v[k]);
+      if (!numerator) return fail(Fault::inexact, p);
+      r.x[k] = *numerator;
+      r.approximation[k] = exact::rounded_quotient(r.x[k], r.w);
+    }
+    return r;
+  }
+
+  /// Precondition: the map leads to grid points.
+  exact::GridPoint grid_point(const exact::GridPoint& p) {
+    exact::GridPoint r{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Integer x = map_.scale * p.c[k] + map_.shift[k];
+      if (abs(x) > exact::world) return fail(Fault::out_of_range, p);
+      r.c[k] = static_cast<std::int32_t>(x);
+    }
+    return r;
+  }
+
+  // n . x + d = 0 with x = (divisor y - shift) / scale.
+  exact::Plane plane(const exact::Plane& p) {
+    std::array<Integer, 4> v;
+    v[3] = exact::to_integer(p.d) * map_.scale;
+    Integer content = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = p.n[k] * map_.divisor;
+      v[3] -= p.n[k] * map_.shift[k];
+      content = gcd(content, v[k]);
+    }
+    content = gcd(content, v[3]);
+    const Integer limit = exact::coefficient_limit, offset_limit = exact::to_integer(exact::offset_limit);
+    exact::Plane r{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] /= content;
+      if (abs(v[k]) > limit) return fail(Fault::inexact, p);
+      r.n[k] = static_cast<std::int64_t>(v[k]);
+    }
+    v[3] /= content;
+    if (abs(v[3]) > offset_limit) return fail(Fault::inexact, p);
+    r.d = exact::to_int<exact::Offset::bits>(v[3])->low();
+    return r;
+  }
+
+ private:
+  template <class Element>
+  const Element& fail(Fault fault, const Element& element) {
+    // Of two faults the worse: no finer step mends a point outside the world.
+    fault_ = std::max(fault_, fault);
+    return element;
+  }
+
+  const Map& map_;
+  Fault fault_ = Fault::none;
+};
+
+/// Grid points stay grid points: the body keeps its shape.
+Fault move_body(const Map& map, Body& body) {
+  Mover mover(map);
+  for (auto& p : body.grid_points) p = mover.grid_point(p);
+  for (auto& p : body.points) p = mover.point(p);
+  for (auto& p : body.planes) p = mover.plane(p);
+  return mover.fault();
+}
+
+/// Grid points may become derived ones: triangles become the maximal faces they are parts of.
+Fault move_form(const Map& map, booleans::Canonical& form) {
+  Mover mover(map);
+  for (auto& p : form.vertices) p = mover.point(p);
+  for (auto& p : form.planes) p = mover.plane(p);
+  return mover.fault();
+}
+
+/// A body on another lattice.
+Fault moved(const Body& body, const Map& map, std::optional<Body>& result) {
+  Fault fault = Fault::none;
+  if (map.divisor == 1) {
+    result = body;
+    fault = move_body(map, *result);
+  } else {
+    auto form = booleans::canonical(body);
+    fault = move_form(map, form);
+    if (fault == Fault::none) result = booleans::body_of(form);
+  }
+  if (fault != Fault::none) result.reset();
+  return fault;
+}
+
+Rational common_divisor(const Rational& a, const Rational& b) {
+  return Rational(gcd(Integer(numerator(a) * denominator(b)), Integer(numerator(b) * denominator(a))),
+                  denominator(a) * denominator(b));
+}
+
+/// The coarsest lattice with the target's origin on which every point of both lattices lies.
+grid::Lattice common_lattice(const grid::Lattice& from, const grid::Lattice& to) {
+  grid::Lattice r = to;
+  r.step = common_divisor(from.step, to.step);
+  for (std::size_t k = 0; k < 3; ++k) r.step = common_divisor(r.step, from.origin[k] - to.origin[k]);
+  return r;
+}
+
+Error inexact(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
+  const grid::Lattice common = common_lattice(from, to);
+  std::optional<Body> result;
+  const bool works = moved(body, map_between(from, common), result) == Fault::none;
+  return {"inexact-grid", "the solid on the grid of step " + exact::to_string(from.step) +
+                              " is not exact on the grid of step " + exact::to_string(to.step) + "; the step " +
+                              exact::to_string(works ? common.step : from.step) + " would work"};
+}
+
+Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
+  std::optional<Body> result;
+  grid::Lattice centred = to;
+  centred.origin = from.origin;
+  const bool works = moved(body, map_between(from, centred), result) == Fault::none;
+  return {"out-of-range",
+          "the solid reaches beyond the world of +-2^29 steps of " + exact::to_string(to.step) +
+              (works ? std::string("; the same step with the origin of its own grid would work")
+                     : "; the step " + exact::to_string(from.step) + " of its own grid, with its origin, would work")};
+}
+
+}  // namespace
+
+Result<Solid> Solid::on_grid(const Grid& grid) const {
+  if (grid == grid_) return *this;
+  const Body& body = Access::body(*this);
+  const grid::Lattice &from = Access::lattice(*this), &to = Access::lattice(grid);
+  std::optional<Body> result;
+  switch (moved(body, map_between(from, to), result)) {
+    case Fault::none:
+      break;
+    case Fault::inexact:
+      return inexact(body, from, to);
+    case Fault::out_of_range:
+      return out_of_range(body, from, to);
+  }
+  return Access::solid(grid, std::move(*result));
+}
+
+}  // namespace quoin

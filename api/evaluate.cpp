@@ -1,0 +1,216 @@
+#include "api/evaluate.h"
+
+#include <algorithm>
+#include <map>
+
+#include "api/access.h"
+#include "api/flatten.h"
+#include "api/half_spaces.h"
+#include "api/run.h"
+#include "booleans/boolean.h"
+#include "booleans/query.h"
+#include "exact/predicates.h"
+
+namespace quoin {
+
+using booleans::Body;
+using booleans::none;
+using booleans::Rule;
+
+namespace {
+
+/// The half-spaces of an expression on one lattice, as planes whose first non-zero normal component is positive; a
+/// half-space on the other side of its plane is the complement. Rewrites the leaves.
+/// Errors: "bad-plane".
+Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& lattice) {
+  const auto less = [](const exact::Plane& p, const exact::Plane& q) { return exact::compare(p, q) < 0; };
+  std::map<exact::Plane, std::uint32_t, decltype(less)> known(less);
+  std::vector<exact::Plane> planes;
+  struct Place {
+    std::uint32_t plane;
+    bool turned;
+  };
+  std::vector<Place> places;
+  for (const HalfSpace& h : f.half_spaces) {
+    std::array<exact::Rational, 4> coefficients;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto number = exact::parse_rational(h.plane[k]);
+      if (!number)
+        return Error{"bad-plane", "the coefficient \"" + h.plane[k].substr(0, 80) +
+                                      "\" of a plane is neither a decimal nor a rational p/q"};
+      coefficients[k] = *number;
+    }
+    const auto plane = grid::grid_plane(lattice, coefficients);
+    if (!plane)
+      return Error{"bad-plane", "the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
+                                    " has no normal, or its coefficients in grid steps are longer than 62 bits"};
+    const bool turned = !exact::is_canonical(*plane);
+    const exact::Plane key = turned ? plane->opposite() : *plane;
+    const auto [at, is_new] = known.emplace(key, static_cast<std::uint32_t>(planes.size()));
+    if (is_new) planes.push_back(key);
+    places.push_back({at->second, turned});
+  }
+  const auto solids = static_cast<std::uint32_t>(f.solids.size());
+  for (auto& node : f.expression.nodes) {
+    if (node.rule != Rule::operand || node.operand < solids) continue;
+    const Place& place = places[node.operand - solids];
+    node.operand = solids + place.plane;
+    node.negated = node.negated != place.turned;
+  }
+  return planes;
+}
+
+/// rule(expression, operand), the operand perhaps complemented.
+booleans::Expression joined(Rule rule, const booleans::Expression& expression, std::uint32_t operand, bool negated) {
+  booleans::Expression result;
+  result.nodes.reserve(expression.nodes.size() + 2);
+  result.add({rule, false, 0, none});
+  for (auto node : expression.nodes) {
+    node.parent = node.parent == none ? 0 : node.parent + 1;
+    result.add(node);
+  }
+  result.add({Rule::operand, negated, operand, 0});
+  return result;
+}
+
+/// Strictly contains the faces of all solids.
+std::array<exact::GridPoint, 2> box_around(const std::vector<const Body*>& bodies) {
+  booleans::Box all;
+  for (const Body* body : bodies)
+    if (const auto box = booleans::bounds(*body)) all.add(*box);
+  if (all.low[0] > all.high[0]) all.add(exact::GridPoint{{0, 0, 0}});
+  std::array<exact::GridPoint, 2> r{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[0].c[k] = all.low[k] - 1;
+    r[1].c[k] = all.high[k] + 1;
+  }
+  return r;
+}
+
+/// Adds the half-spaces to the operands, clipped to a box outside of which the expression is constant.
+/// Errors: "unbounded".
+Result<void> clip(booleans::Expression& expression, const std::vector<exact::Plane>& planes,
+                  std::vector<const Body*>& operands, std::vector<Body>& storage, const Options& options) {
+  std::vector<Truth> far;
+  for (const Body* body : operands) far.push_back(body->full_at_infinity ? Truth::yes : Truth::no);
+  auto with_unknowns = far;
+  with_unknowns.resize(far.size() + planes.size(), Truth::unknown);
+  auto box = box_around(operands);
+  bool is_open = value(expression, with_unknowns) == Truth::unknown;
+  if (is_open) {
+    const auto outside = value_outside(expression, far, planes, exact::world, options.cancel);
+    if (!outside)
+      return Error{"unbounded",
+                   "half-spaces leave an infinite surface here, or one that reaches beyond the world of +-2^29 steps of "
+                   "the grid; intersect with a bounded solid, or choose a coarser grid"};
+    constexpr std::int32_t reach = exact::world + 1;
+    box = {exact::GridPoint{{-reach, -reach, -reach}}, exact::GridPoint{{reach, reach, reach}}};
+    // The clipped half-spaces say nothing outside the box: there the value is set.
+    const auto box_operand = static_cast<std::uint32_t>(operands.size() + planes.size());
+    expression = joined(*outside ? Rule::any : Rule::all, expression, box_operand, *outside);
+  }
+  storage.reserve(planes.size() + 1);
+  for (const auto& plane : planes) storage.push_back(booleans::half_space_body(plane, box[0], box[1]));
+  if (is_open) storage.push_back(booleans::box_body(box[0], box[1]));
+  for (const Body& body : storage) operands.push_back(&body);
+  return {};
+}
+
+bool is_identity(const booleans::Expression& e) {
+  return e.nodes.size() == 1 && e.nodes[0].rule == Rule::operand && !e.nodes[0].negated;
+}
+
+Result<Solid> evaluate_here(const Expression& expression, const Options& options) {
+  Flattened f = flattened(expression);
+  if (f.solids.empty())
+    return Error{"no-operand", "an expression without a solid has no grid; give it at least one solid"};
+  if (options.cancel && options.cancel->load()) return Error{"cancelled", "the operation was cancelled"};
+  auto unified = on_finest_grid(std::move(f.solids));
+  if (!unified) return unified.error();
+  f.solids = std::move(unified).value();
+  const Grid grid = f.solids[0].grid();
+  if (is_identity(f.expression)) return f.solids[f.expression.nodes[0].operand];
+
+  std::vector<const Body*> operands;
+  for (const Solid& solid : f.solids) operands.push_back(&Access::body(solid));
+  std::vector<Body> storage;
+  if (!f.half_spaces.empty()) {
+    const auto planes = planes_of(f, Access::lattice(grid));
+    if (!planes) return planes.error();
+    const auto clipped = clip(f.expression, planes.value(), operands, storage, options);
+    if (!clipped) return clipped.error();
+  }
+  auto result = booleans::evaluate(operands, f.expression, run_of(options));
+  if (!result) return result.error();
+  return Access::solid(grid, std::move(result).value());
+}
+
+/// A solid as an operand of one of the flat operations.
+Result<Solid> operated(Expression (*combine)(std::vector<Expression>), const std::vector<Solid>& solids,
+                       const Options& options) {
+  return evaluate(combine({solids.begin(), solids.end()}), options);
+}
+
+}  // namespace
+
+Result<Solid> evaluate_flat(Rule rule, const std::vector<const Solid*>& solids, std::uint32_t negated_from,
+                            const Options& options) {
+  std::vector<const Body*> operands;
+  for (const Solid* solid : solids) operands.push_back(&Access::body(*solid));
+  const auto expression = booleans::Expression::flat(rule, static_cast<std::uint32_t>(solids.size()), negated_from);
+  auto result = booleans::evaluate(operands, expression, run_of(options));
+  if (!result) return result.error();
+  return Access::solid(solids[0]->grid(), std::move(result).value());
+}
+
+Result<std::vector<Solid>> on_finest_grid(std::vector<Solid> solids) {
+  if (solids.empty()) return solids;
+  const Grid finest = std::min_element(solids.begin(), solids.end(), [](const Solid& a, const Solid& b) {
+                        return Access::lattice(a).step < Access::lattice(b).step;
+                      })->grid();
+  for (Solid& solid : solids) {
+    if (solid.grid() == finest) continue;
+    auto moved = solid.on_grid(finest);
+    if (!moved) return moved.error();
+    solid = std::move(moved).value();
+  }
+  return solids;
+}
+
+Result<Solid> evaluate(const Expression& expression, const Options& options) {
+  return with_threads(options.threads, [&] { return evaluate_here(expression, options); });
+}
+
+Result<Solid> unite(const std::vector<Solid>& solids, const Options& options) {
+  return operated(Expression::union_of, solids, options);
+}
+
+Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options) {
+  return operated(Expression::intersection_of, solids, options);
+}
+
+Result<Solid> difference(const Solid& minuend, const std::vector<Solid>& subtrahends, const Options& options) {
+  if (subtrahends.empty()) return minuend;
+  std::vector<Expression> terms{minuend};
+  for (const Solid& solid : subtrahends) terms.push_back(Expression::complement_of(solid));
+  return evaluate(Expression::intersection_of(std::move(terms)), options);
+}
+
+Result<Solid> symmetric_difference(const std::vector<Solid>& solids, const Options& options) {
+  return operated(Expression::symmetric_difference_of, solids, options);
+}
+
+Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_space, const Options& options) {
+  const Expression below = half_space;
+  std::array<Solid, 2> parts;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Options run = options;
+    if (options.progress) run.progress = [&, i](double done) { options.progress((static_cast<double>(i) + done) / 2); };
+    auto part = evaluate(i == 0 ? Expression(solid) - below : Expression(solid) & below, run);
+    if (!part) return part.error();
+    parts[i] = std::move(part).value();
+  }
+  return parts;
+}
+
+}  // namespace quoin

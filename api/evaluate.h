@@ -1,0 +1,21 @@
+/// \file
+/// The engine behind the public operations.
+#pragma once
+
+#include <vector>
+
+#include "booleans/expression.h"
+#include "quoin/quoin.h"
+
+namespace quoin {
+
+/// rule(solid 0, .., solid n - 1), those from `negated_from` on complemented. All grids are equal, n > 0.
+/// Errors: as booleans::evaluate.
+Result<Solid> evaluate_flat(booleans::Rule rule, const std::vector<const Solid*>& solids, std::uint32_t negated_from,
+                            const Options& options);
+
+/// The solids on one grid: their common one, else the finest among theirs.
+/// Errors: those of Solid::on_grid.
+Result<std::vector<Solid>> on_finest_grid(std::vector<Solid> solids);
+
+}  // namespace quoin

@@ -1,0 +1,166 @@
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/access.h"
+#include "booleans/export.h"
+#include "exact/predicates.h"
+
+namespace quoin {
+
+using booleans::Body;
+using booleans::Triangulated;
+using exact::Rational;
+
+namespace {
+
+using Corner = std::array<double, 3>;
+
+/// Correctly rounded coordinates of the output vertices.
+std::vector<double> rounded_points(const Body& body, const grid::Lattice& lattice,
+                                   const std::vector<std::uint32_t>& source, bool to_float) {
+  const grid::Rounder rounder(lattice);
+  std::vector<double> points(3 * source.size());
+  const auto round = [&](const auto& p, int k) -> double {
+    return to_float ? rounder.to_float(p, k) : rounder.to_double(p, k);
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, source.size(), 1024), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const std::uint32_t v = source[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        points[3 * i + k] = body.is_grid(v) ? round(body.grid_points[v][axis], axis)
+                                            : round(body.points[v - body.grid_points.size()], axis);
+      }
+    }
+  });
+  return points;
+}
+
+/// What rounding did to one triangle.
+enum class Effect { none, flipped, collapsed };
+
+/// The exact answer: the rounded corners and the plane as rationals.
+Effect exact_effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
+  std::array<std::array<Rational, 3>, 3> p;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) p[i][k] = exact::to_rational(c[i][k]);
+  Rational dot = 0;
+  bool zero = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const Rational normal =
+        (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
+    zero = zero && normal == 0;
+    dot += normal * plane.n[k];
+  }
+  return zero ? Effect::collapsed : dot < 0 ? Effect::flipped : Effect::none;
+}
+
+/// A term n (e f) of the dot product of the rounded triangle's normal with the plane's carries eight roundings at most:
+/// the coefficient, two edge components, two products, the difference, two sums. So with u = 2^-53 and S the sum of the
+/// terms' true sizes the error is below 8.01 u S, and S as computed is at least (1 - 8.01 u) S: 16 u S bounds it.
+/// Edges within 2^+-300 keep products from overflow; a product that underflows is wrong by 2^-1074 at most, below the
+/// bound's second term.
+Effect effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
+  Corner e, f;
+  double largest_e = 0, largest_f = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = c[1][k] - c[0][k];
+    f[k] = c[2][k] - c[0][k];
+    largest_e = std::max(largest_e, std::fabs(e[k]));
+    largest_f = std::max(largest_f, std::fabs(f[k]));
+  }
+  const auto ordinary = [](double x) { return x > 0x1p-300 && x < 0x1p300; };
+  if (!ordinary(largest_e) || !ordinary(largest_f)) return exact_effect(c, plane);
+  double dot = 0, size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double n = static_cast<double>(plane.n[k]), x = e[i] * f[j], y = e[j] * f[i];
+    dot += n * (x - y);
+    size += std::fabs(n) * (std::fabs(x) + std::fabs(y));
+  }
+  const double bound = 16 * exact::unit_roundoff * (size + 0x1p-60 * largest_e * largest_f);
+  if (dot > bound) return Effect::none;
+  if (dot < -bound) return Effect::flipped;
+  return exact_effect(c, plane);
+}
+
+struct Effects {
+  std::uint64_t flipped = 0, collapsed = 0;
+};
+
+Effects count_effects(const Body& body, const Triangulated& mesh, const std::vector<double>& points) {
+  using Range = tbb::blocked_range<std::size_t>;
+  return tbb::parallel_reduce(
+      Range(0, mesh.triangles.size(), 1024), Effects{},
+      [&](const Range& range, Effects sum) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+          std::array<Corner, 3> c;
+          for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.triangles[t][i]} + k];
+          const Effect found = effect(c, body.plane(mesh.face[t]));
+          sum.flipped += found == Effect::flipped;
+          sum.collapsed += found == Effect::collapsed;
+        }
+        return sum;
+      },
+      [](const Effects& a, const Effects& b) {
+        return Effects{a.flipped + b.flipped, a.collapsed + b.collapsed};
+      });
+}
+
+/// Whether every directed edge is balanced by its reverse. Edges are gathered at their lower vertices.
+bool is_closed(const Triangulated& mesh) {
+  std::vector<std::uint32_t> start(mesh.source.size() + 1);
+  const auto for_edges = [&](auto&& visit) {
+    for (const auto& t : mesh.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t u = t[i], v = t[(i + 1) % 3];
+        visit(std::min(u, v), std::max(u, v), u < v ? 1 : -1);
+      }
+  };
+  for_edges([&](std::uint32_t low, std::uint32_t, int) { ++start[low + 1]; });
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<std::pair<std::uint32_t, int>> edges(start.back());
+  auto at = start;
+  for_edges([&](std::uint32_t low, std::uint32_t high, int way) { edges[at[low]++] = {high, way}; });
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+    const auto first = edges.begin() + start[v], last = edges.begin() + start[v + 1];
+    std::sort(first, last);
+    for (auto i = first; i != last;) {
+      std::int64_t balance = 0;
+      const std::uint32_t high = i->first;
+      for (; i != last && i->first == high; ++i) balance += i->second;
+      if (balance != 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report) const {
+  if (report) *report = {};
+  const Body& body = Access::body(*this);
+  if (body.full_at_infinity)
+    return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
+  Triangulated mesh = booleans::triangulated(body);
+  if (options.topology == Topology::manifold) mesh = booleans::separated(body, mesh);
+  Mesh out;
+  out.points = rounded_points(body, Access::lattice(*this), mesh.source, options.float32);
+  if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
+    return Error{"out-of-range", std::string("the solid reaches beyond the largest ") +
+                                     (options.float32 ? "float32" : "double") + "; scale the model down"};
+  out.triangles.reserve(3 * mesh.triangles.size());
+  for (const auto& t : mesh.triangles) out.triangles.insert(out.triangles.end(), t.begin(), t.end());
+  if (report) {
+    const Effects effects = count_effects(body, mesh, out.points);
+    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed, is_closed(mesh)};
+  }
+  return out;
+}
+
+}  // namespace quoin

@@ -1,0 +1,66 @@
+#include "api/access.h"
+
+namespace quoin {
+
+using Node = Access::Node;
+
+// Children that nobody else holds are taken over before they could recurse.
+Node::~Node() {
+  std::vector<Expression> pending = std::move(terms);
+  while (!pending.empty()) {
+    const Expression last = std::move(pending.back());
+    pending.pop_back();
+    if (!last.node_ || last.node_.use_count() > 1) continue;
+    auto& inner = last.node_->terms;
+    std::move(inner.begin(), inner.end(), std::back_inserter(pending));
+    inner.clear();
+  }
+}
+
+Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+Expression::Expression(const Solid& solid) : node_(std::make_shared<const Node>(solid)) {}
+Expression::Expression(const HalfSpace& half_space) : node_(std::make_shared<const Node>(half_space)) {}
+
+Expression Expression::union_of(std::vector<Expression> terms) {
+  return Expression(std::make_shared<const Node>(Node::Kind::any, std::move(terms)));
+}
+
+Expression Expression::intersection_of(std::vector<Expression> terms) {
+  return Expression(std::make_shared<const Node>(Node::Kind::all, std::move(terms)));
+}
+
+Expression Expression::symmetric_difference_of(std::vector<Expression> terms) {
+  return Expression(std::make_shared<const Node>(Node::Kind::odd, std::move(terms)));
+}
+
+Expression Expression::complement_of(Expression term) {
+  std::vector<Expression> terms;
+  terms.push_back(std::move(term));
+  return Expression(std::make_shared<const Node>(Node::Kind::complement, std::move(terms)));
+}
+
+namespace {
+
+std::vector<Expression> two(Expression a, Expression b) {
+  std::vector<Expression> terms;
+  terms.reserve(2);
+  terms.push_back(std::move(a));
+  terms.push_back(std::move(b));
+  return terms;
+}
+
+}  // namespace
+
+Expression operator+(Expression a, Expression b) { return Expression::union_of(two(std::move(a), std::move(b))); }
+Expression operator-(Expression a, Expression b) {
+  return Expression::intersection_of(two(std::move(a), Expression::complement_of(std::move(b))));
+}
+Expression operator&(Expression a, Expression b) {
+  return Expression::intersection_of(two(std::move(a), std::move(b)));
+}
+Expression operator^(Expression a, Expression b) {
+  return Expression::symmetric_difference_of(two(std::move(a), std::move(b)));
+}
+Expression operator~(Expression a) { return Expression::complement_of(std::move(a)); }
+
+}  // namespace quoin

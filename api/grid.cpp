@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "api/access.h"
+#include "exact/rational.h"
+#include "io/quoin.h"
+
+namespace quoin {
+
+using exact::Rational;
+
+namespace {
+
+/// Whether files can state the number.
+bool is_short(const Rational& v) {
+  const auto fits = [](const exact::Integer& n) {
+    return exact::Integer(abs(n)).str().size() <= io::max_lattice_digits;
+  };
+  return fits(numerator(v)) && fits(denominator(v));
+}
+
+Result<Rational> number(std::string_view text, const char* name) {
+  const auto value = exact::parse_rational(text);
+  if (!value)
+    return Error{"bad-number", "the " + std::string(name) + " \"" + std::string(text.substr(0, 80)) +
+                                   "\" is neither a decimal nor a rational p/q"};
+  if (!is_short(*value))
+    return Error{"bad-number", "the " + std::string(name) + " has more than " + std::to_string(io::max_lattice_digits) +
+                                   " digits"};
+  return *value;
+}
+
+}  // namespace
+
+Grid Access::grid(grid::Lattice lattice) {
+  assert(lattice.step > 0);
+  Grid result;
+  result.data_ = std::make_shared<const Grid::Data>(Grid::Data{std::move(lattice)});
+  return result;
+}
+
+Grid::Grid() {
+  static const auto unit = std::make_shared<const Data>();
+  data_ = unit;
+}
+
+Grid::~Grid() = default;
+Grid::Grid(const Grid&) = default;
+Grid& Grid::operator=(const Grid&) = default;
+
+Result<Grid> Grid::with_step(std::string_view step) { return with_step_and_origin(step, {"0", "0", "0"}); }
+
+Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<std::string, 3>& origin) {
+  grid::Lattice lattice;
+  const auto s = number(step, "grid step");
+  if (!s) return s.error();
+  if (s.value() <= 0) return Error{"bad-number", "the grid step \"" + std::string(step) + "\" is not positive"};
+  lattice.step = s.value();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto o = number(origin[k], "grid origin");
+    if (!o) return o.error();
+    lattice.origin[k] = o.value();
+  }
+  return Access::grid(std::move(lattice));
+}
+
+Result<Grid> Grid::fitting(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  auto l = low, h = high;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (high[k] < low[k]) std::swap(l[k], h[k]);
+  auto lattice = grid::fitting_lattice(l, h);
+  if (!lattice) return lattice.error();
+  return Access::grid(std::move(lattice).value());
+}
+
+std::string Grid::step() const { return exact::to_string(data_->lattice.step); }
+
+std::array<std::string, 3> Grid::origin() const {
+  const auto& o = data_->lattice.origin;
+  return {exact::to_string(o[0]), exact::to_string(o[1]), exact::to_string(o[2])};
+}
+
+bool Grid::operator==(const Grid& other) const {
+  return data_ == other.data_ || data_->lattice == other.data_->lattice;
+}
+
+}  // namespace quoin

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "api/access.h"
+#include "api/compare.h"
+#include "api/evaluate.h"
+#include "booleans/measure.h"
+#include "booleans/query.h"
+#include "exact/counters.h"
+
+namespace quoin {
+
+using booleans::Body;
+using booleans::Rule;
+using exact::Rational;
+
+const Body& Access::body(const Solid& solid) {
+  static const Body empty;
+  return solid.body_ ? *solid.body_ : empty;
+}
+
+Solid::Solid() = default;
+Solid::~Solid() = default;
+Solid::Solid(const Solid&) = default;
+Solid::Solid(Solid&&) noexcept = default;
+Solid& Solid::operator=(const Solid&) = default;
+Solid& Solid::operator=(Solid&&) noexcept = default;
+Solid::Solid(Grid grid, std::shared_ptr<const Body> body) : grid_(std::move(grid)), body_(std::move(body)) {}
+
+Solid Solid::empty(const Grid& grid) { return Solid(grid, nullptr); }
+
+Solid Solid::full(const Grid& grid) {
+  Body body;
+  body.full_at_infinity = true;
+  return Access::solid(grid, std::move(body));
+}
+
+const Grid& Solid::grid() const { return grid_; }
+
+bool Solid::is_empty() const {
+  const Body& body = Access::body(*this);
+  return body.face_count() == 0 && !body.full_at_infinity;
+}
+
+bool Solid::is_bounded() const { return !Access::body(*this).full_at_infinity; }
+
+std::optional<std::string> Solid::volume() const {
+  if (!is_bounded()) return std::nullopt;
+  const Rational& step = Access::lattice(*this).step;
+  return exact::to_string(Rational(booleans::volume(Access::body(*this)) * step * step * step));
+}
+
+Location Solid::classify(const std::array<double, 3>& point) const {
+  assert(std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]));
+  const grid::Lattice& lattice = Access::lattice(*this);
+  std::array<Rational, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = (exact::to_rational(point[k]) - lattice.origin[k]) / lattice.step;
+  const int where = booleans::locate(Access::body(*this), p);
+  return where > 0 ? Location::inside : where == 0 ? Location::boundary : Location::outside;
+}
+
+namespace {
+
+/// A trusted operand that crosses itself gives an unspecified result: the empty solid where there is none.
+Solid operated(Rule rule, const Solid& a, const Solid& b, bool complement_b) {
+  if (!(a.grid() == b.grid())) {
+    throw std::invalid_argument("quoin: the operands of an operator must have equal grids, but their steps are " +
+                                a.grid().step() + " and " + b.grid().step() + " (or their origins differ)");
+  }
+  auto result = evaluate_flat(rule, {&a, &b}, complement_b ? 1 : booleans::none, {});
+  return result ? std::move(result).value() : Solid::empty(a.grid());
+}
+
+}  // namespace
+
+Solid operator+(const Solid& a, const Solid& b) { return operated(Rule::any, a, b, false); }
+Solid operator-(const Solid& a, const Solid& b) { return operated(Rule::all, a, b, true); }
+Solid operator&(const Solid& a, const Solid& b) { return operated(Rule::all, a, b, false); }
+Solid operator^(const Solid& a, const Solid& b) { return operated(Rule::odd, a, b, false); }
+Solid operator~(const Solid& a) { return Access::solid(a.grid(), booleans::complement(Access::body(a))); }
+
+bool operator==(const Solid& a, const Solid& b) {
+  if (Access::identity(a) == Access::identity(b) && a.grid() == b.grid()) return true;
+  const Body &p = Access::body(a), &q = Access::body(b);
+  if (p.full_at_infinity != q.full_at_infinity || (p.face_count() == 0) != (q.face_count() == 0)) return false;
+  return a.grid() == b.grid() ? equal_on_one_grid(p, q) : equal_across_grids(a, b);
+}
+
+Statistics statistics() {
+  const exact::Counters c = exact::total_counters();
+  return {c.symbolic, c.filter, c.fixed_width, c.rational};
+}
+
+}  // namespace quoin
