@@ -100,9 +100,10 @@ Result<void> clip(booleans::Expression& expression, const std::vector<exact::Pla
   if (is_open) {
     const auto outside = value_outside(expression, far, planes, exact::world, options.cancel);
     if (!outside)
-      return Error{"unbounded",
-                   "half-spaces leave an infinite surface here, or one that reaches beyond the world of +-2^29 steps of "
-                   "the grid; intersect with a bounded solid, or choose a coarser grid"};
+      return Error{
+          "unbounded",
+          "half-spaces leave an infinite surface here, or one that reaches beyond the world of +-2^29 steps of "
+          "the grid; intersect with a bounded solid, or choose a coarser grid"};
     constexpr std::int32_t reach = exact::world + 1;
     box = {exact::GridPoint{{-reach, -reach, -reach}}, exact::GridPoint{{reach, reach, reach}}};
     // The clipped half-spaces say nothing outside the box: there the value is set.

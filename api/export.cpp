@@ -51,8 +51,7 @@ Effect exact_effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
   bool zero = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const Rational normal =
-        (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
+    const Rational normal = (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
     zero = zero && normal == 0;
     dot += normal * plane.n[k];
   }

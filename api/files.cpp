@@ -107,10 +107,10 @@ Result<Format> format_of(std::string_view file_name) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   constexpr std::array<std::pair<std::string_view, Format>, 5> known{{{".stl", Format::stl},
-                                                                       {".obj", Format::obj},
-                                                                       {".off", Format::off},
-                                                                       {".ply", Format::ply},
-                                                                       {".quoin", Format::quoin}}};
+                                                                      {".obj", Format::obj},
+                                                                      {".off", Format::off},
+                                                                      {".ply", Format::ply},
+                                                                      {".quoin", Format::quoin}}};
   for (const auto& [extension, format] : known)
     if (ending.ends_with(extension)) return format;
   return Error{"unknown-format", "the file name does not end with .stl, .obj, .off, .ply or .quoin",

@@ -75,7 +75,8 @@ class Flattener {
   }
 
   void push(const Node& node, bool negated, std::uint32_t parent) {
-    for (std::size_t i = node.terms.size(); i-- > 0;) pending_.push_back({Access::node(node.terms[i]), negated, parent});
+    for (std::size_t i = node.terms.size(); i-- > 0;)
+      pending_.push_back({Access::node(node.terms[i]), negated, parent});
   }
 
   template <class Key, class Value>

@@ -26,8 +26,8 @@ Result<Rational> number(std::string_view text, const char* name) {
     return Error{"bad-number", "the " + std::string(name) + " \"" + std::string(text.substr(0, 80)) +
                                    "\" is neither a decimal nor a rational p/q"};
   if (!is_short(*value))
-    return Error{"bad-number", "the " + std::string(name) + " has more than " + std::to_string(io::max_lattice_digits) +
-                                   " digits"};
+    return Error{"bad-number",
+                 "the " + std::string(name) + " has more than " + std::to_string(io::max_lattice_digits) + " digits"};
   return *value;
 }
 

@@ -31,8 +31,7 @@ std::vector<Truth> values(const booleans::Expression& expression, const std::vec
     Truth v = c.unknown > 0 ? Truth::unknown : truth(c.yes % 2 == 1);
     if (node.rule == Rule::operand) v = operands[node.operand];
     if (node.rule == Rule::any) v = c.yes > 0 ? Truth::yes : c.unknown > 0 ? Truth::unknown : Truth::no;
-    if (node.rule == Rule::all)
-      v = c.yes + c.unknown < c.all ? Truth::no : c.unknown > 0 ? Truth::unknown : Truth::yes;
+    if (node.rule == Rule::all) v = c.yes + c.unknown < c.all ? Truth::no : c.unknown > 0 ? Truth::unknown : Truth::yes;
     if (node.negated && v != Truth::unknown) v = truth(v == Truth::no);
     result[i] = v;
     if (i == 0) continue;

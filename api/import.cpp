@@ -69,9 +69,8 @@ Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
 Result<Solid> Solid::from_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
                                     const ImportOptions& options, ImportReport* report) {
   return with_threads(options.run.threads, [&] {
-    return imported(points, options, report, [&](const grid::Lattice& lattice) {
-      return grid::import_triangles(points, triangles, lattice);
-    });
+    return imported(points, options, report,
+                    [&](const grid::Lattice& lattice) { return grid::import_triangles(points, triangles, lattice); });
   });
 }
 

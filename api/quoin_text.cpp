@@ -57,7 +57,8 @@ Result<exact::Point> read_point(const std::array<std::string, 4>& text, std::siz
   }
   if (content != 1) return bad("the vertex is not in lowest terms", vertex_name(v));
   for (std::size_t k = 0; k < 3; ++k)
-    if (abs(x[k]) > x[3] * exact::world) return bad("the vertex lies outside the world of +-2^29 grid steps", vertex_name(v));
+    if (abs(x[k]) > x[3] * exact::world)
+      return bad("the vertex lies outside the world of +-2^29 grid steps", vertex_name(v));
   exact::Point p{};
   const auto w = exact::to_int<exact::Denominator::bits>(x[3]);
   if (!w) return bad("the denominator is longer than that of any meeting of three planes", vertex_name(v));
@@ -178,8 +179,8 @@ std::optional<Error> face_fault(const Canonical& form, std::size_t f) {
   return std::nullopt;
 }
 
-/// Every directed edge is balanced by its reverse.
-std::optional<Error> balance_fault(const Canonical& form) {
+/// Every directed edge is balanced by its reverse, and two faces that are alone at an edge lie on different planes.
+std::optional<Error> edge_fault(const Canonical& form) {
   struct Edge {
     std::uint32_t low, high;
     int way;
@@ -201,6 +202,9 @@ std::optional<Error> balance_fault(const Canonical& form) {
       return bad("the edge between the vertices " + std::to_string(edges[i].low) + " and " +
                      std::to_string(edges[i].high) + " is not balanced by its reverse",
                  face_name(edges[i].face));
+    if (j - i == 2 && exact::parallel(form.planes[edges[i].face], form.planes[edges[i + 1].face]))
+      return bad("face " + std::to_string(edges[i].face) + " goes on beyond an edge: they must be one face",
+                 face_name(edges[i + 1].face));
   }
   return std::nullopt;
 }
@@ -230,8 +234,9 @@ std::optional<Error> fault_of(const Canonical& form) {
   if (auto fault = vertex_fault(form)) return fault;
   for (std::size_t f = 0; f < form.face_count(); ++f)
     if (auto fault = face_fault(form, f)) return fault;
-  if (auto fault = balance_fault(form)) return fault;
-  if (is_surely_inside_out(form)) return bad("the surface is inside out: what it encloses has a negative volume", "faces");
+  if (auto fault = edge_fault(form)) return fault;
+  if (is_surely_inside_out(form))
+    return bad("the surface is inside out: what it encloses has a negative volume", "faces");
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 /// Public options as the engine takes them.
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -15,11 +16,12 @@ namespace quoin {
 inline booleans::Run run_of(const Options& options) { return {options.progress, options.cancel}; }
 
 /// Runs `work` in the calling thread with so many workers, 0 for all, and returns its value.
+/// TBB says on stderr when it is asked for more than it has.
 template <class Work>
 auto with_threads(unsigned threads, Work&& work) {
   if (threads == 0) return work();
-  constexpr unsigned most = 4096;
-  tbb::task_arena arena(static_cast<int>(std::min(threads, most)));
+  const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(threads, most)));
   return arena.execute(std::forward<Work>(work));
 }
 

@@ -26,7 +26,7 @@ struct Corner {
 class Seeder {
  public:
   Seeder(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count)
-      : a_(a), component_of_(component_of), extreme_(count, none_yet), corners_(count), direction_(count), seeds_(count) {}
+      : a_(a), component_of_(component_of), extreme_(count), corners_(count), direction_(count), seeds_(count) {}
 
   std::vector<Seed> run() {
     find_extremes();
@@ -38,6 +38,11 @@ class Seeder {
 
  private:
   static constexpr Name none_yet = ~Name{0};
+  /// The smallest vertex found so far.
+  struct Extreme {
+    Name name = none_yet;
+    std::array<double, 3> at{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  };
 
   Name name(std::uint32_t operand, std::uint32_t v) const {
     const auto& table = a_.touched.vertex_of[operand];
@@ -62,29 +67,31 @@ class Seeder {
     return is_grid(x) && is_grid(y) ? 0 : exact::compare_along(k, point(x), point(y));
   }
 
-  void offer(std::uint32_t component, Name n) {
-    Name& best = extreme_[component];
-    if (best == n) return;
-    int order = best == none_yet ? -1 : 0;
-    for (int k = 0; k < 3 && order == 0; ++k) order = compare(k, n, best);
+  void offer(std::uint32_t component, Name n, const std::array<double, 3>& at) {
+    Extreme& best = extreme_[component];
+    if (at[0] > best.at[0] || best.name == n) return;  // most corners end here; rounding is monotone
+    int order = best.name == none_yet ? -1 : 0;
+    for (int k = 0; k < 3 && order == 0; ++k) order = compare(k, n, best.name);
     // Equal points under different names do not occur within one component: touching vertices are in the table.
-    if (order < 0) best = n;
+    if (order < 0) best = {n, at};
   }
 
   void find_extremes() {
-    for (const Use& u : a_.uses) {
-      offer(component_of_[u.facet], u.low);
-      offer(component_of_[u.facet], u.high);
-    }
+    for (const Use& u : a_.uses)
+      for (const std::uint32_t v : {u.low, u.high}) offer(component_of_[u.facet], v, a_.vertices.approximation(v));
     for_untouched([&](std::uint32_t operand, std::uint32_t face, std::uint32_t node) {
       const Body& body = *a_.operands.bodies[operand];
+      const auto corner = [&](std::uint32_t v) {
+        const auto at = body.approximation(v);
+        if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(operand, v), at);
+      };
       if (face < body.triangles.size()) {
-        for (std::uint32_t v : body.triangles[face]) offer(component_of_[node], name(operand, v));
+        for (std::uint32_t v : body.triangles[face]) corner(v);
         return;
       }
       const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
       for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c)
-        offer(component_of_[node], name(operand, body.corners[c]));
+        corner(body.corners[c]);
     });
   }
 
@@ -98,7 +105,16 @@ class Seeder {
   /// All facets of a component at its extreme vertex, edge by edge.
   void collect_corners() {
     std::unordered_multimap<Name, std::uint32_t> wanted;
-    for (std::uint32_t c = 0; c < extreme_.size(); ++c) wanted.emplace(extreme_[c], c);
+    for (std::uint32_t c = 0; c < extreme_.size(); ++c) wanted.emplace(extreme_[c].name, c);
+    std::vector<std::vector<std::uint8_t>> is_wanted(a_.operands.bodies.size());  // per operand and own vertex
+    for (std::uint32_t o = 0; o < is_wanted.size(); ++o) {
+      is_wanted[o].resize(a_.operands.bodies[o]->vertex_count());
+      const auto& table = a_.touched.vertex_of[o];
+      for (std::uint32_t v = 0; v < table.size(); ++v)
+        if (table[v] != none && wanted.contains(table[v])) is_wanted[o][v] = 1;
+    }
+    for (const Extreme& e : extreme_)
+      if (e.name & outside_table) is_wanted[operand_of(e.name)][id_of(e.name)] = 1;
     const auto offer_corner = [&](Name v, Corner corner) {
       const auto range = wanted.equal_range(v);
       for (auto i = range.first; i != range.second; ++i)
@@ -117,8 +133,8 @@ class Seeder {
       const Body& body = *a_.operands.bodies[operand];
       const auto edge = [&](std::uint32_t u, std::uint32_t v) {
         for (const bool forward : {true, false}) {
+          if (!is_wanted[operand][forward ? u : v]) continue;
           const Name at = name(operand, forward ? u : v);
-          if (!wanted.contains(at)) continue;
           const exact::Plane p = body.plane(face);
           const bool turned = !exact::is_canonical(p);
           offer_corner(at, {name(operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
@@ -176,7 +192,7 @@ class Seeder {
   }
 
   Side outer_side(std::uint32_t component) {
-    const Name v = extreme_[component];
+    const Name v = extreme_[component].name;
     std::map<Name, std::vector<const Corner*>> edges;
     for (const Corner& c : corners_[component]) edges[c.w].push_back(&c);
     const std::vector<const Corner*>* chosen = nullptr;
@@ -213,7 +229,7 @@ class Seeder {
       tree.emplace(std::move(items));
     }
     for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
-      const RayStart start{point(extreme_[c]), direction_[c]};
+      const RayStart start{point(extreme_[c].name), direction_[c]};
       Box ray;
       ray.add(start.v.approximation);
       ray.low[1] = INT32_MIN;
@@ -263,7 +279,7 @@ class Seeder {
 
   const Arrangement& a_;
   const std::vector<std::uint32_t>& component_of_;
-  std::vector<Name> extreme_;
+  std::vector<Extreme> extreme_;
   std::vector<std::vector<Corner>> corners_;
   std::vector<Direction> direction_;  // of each component's extreme edge
   std::vector<Seed> seeds_;

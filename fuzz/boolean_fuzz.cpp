@@ -65,17 +65,22 @@ exact::Rational mesh_volume(const Body& body, const Triangulated& mesh) {
 
 void check_mesh(const Body& body) {
   const Triangulated whole = triangulated(body), apart = separated(body, whole);
-  std::map<std::array<std::uint32_t, 2>, int> balance, use;
+  std::map<std::array<std::uint32_t, 2>, int> balance, uses, use;  // uses: by body vertices; use: by output vertices
   const auto for_edges = [](const Triangulated& mesh, auto visit) {
     for (const auto& t : mesh.triangles)
       for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
   };
   for_edges(whole, [&](std::uint32_t u, std::uint32_t v) { balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1; });
+  for_edges(whole, [&](std::uint32_t u, std::uint32_t v) { ++uses[{whole.source[u], whole.source[v]}]; });
   for (const auto& [edge, sum] : balance) require(sum == 0, "triangulations are closed");
   for_edges(apart, [&](std::uint32_t u, std::uint32_t v) { ++use[{u, v}]; });
   for (const auto& [edge, count] : use) {
     require(edge[0] != edge[1], "triangles have three corners");
-    require(count == 1 && use.contains({edge[1], edge[0]}), "a separated mesh has two triangles at every edge");
+    const auto reverse = use.find({edge[1], edge[0]});
+    require(reverse != use.end() && reverse->second == count, "a separated mesh is closed");
+    // Two wedges at one edge that hang together around both its ends keep two edges between the same two vertices.
+    const auto touching = uses.find({apart.source[edge[0]], apart.source[edge[1]]});
+    require(count == 1 || touching->second > 1, "a separated mesh has two triangles at every edge that is no contact");
   }
   require(mesh_volume(body, whole) == volume(body), "a triangulation keeps the volume");
   require(mesh_volume(body, apart) == volume(body), "a separated mesh keeps the volume");

@@ -15,7 +15,8 @@ AI = double(A * i);
 product = double(w1 * w2);
 
 {
-  # v1, v2: any doubles, so multiples of 2^-1074. i: an integer. w1, w2: differences of coordinates, multiples of 2^-240.
+  # v1, v2: any doubles, so multiples of 2^-1074. i: an integer.
+  # w1, w2: differences of coordinates, so multiples of 2^-240.
   a in [1, 0x1p62] /\ b in [1, 0x1p62] /\ x in [0x1p-188, 0x1p250] /\ d in [1, 0x1p124] /\
   @FIX(a, 0) /\ @FIX(i, 0) /\ @FIX(v1, -1074) /\ @FIX(v2, -1074) /\ @FIX(w1, -240) /\ @FIX(w2, -240)
   ->

@@ -1,5 +1,6 @@
-# One term of turn_filter.g: a minor of exact value m with the error w by pair.g (the unit is its true permanent), times a
-# component with relative error r1, the product with relative error r2, both by rounding.g. m = 1 is the permanent itself.
+# One term of turn_filter.g: a minor of exact value m with the error w by pair.g (the unit is its true permanent), times
+# a component with relative error r1, the product with relative error r2, both by rounding.g. m = 1 is the permanent
+# itself.
 
 error = (m + w) * (1 + r1) * (1 + r2) - m;
 

@@ -59,8 +59,6 @@ const Plane z0{{0, 0, 1}, 0};
 Plane line(std::int64_t a, std::int64_t b, std::int64_t c) { return {{a, b, 0}, c}; }
 Point cut(const Plane& l, const Plane& m) { return meet(l, m, z0).value(); }
 
-// ---------------------------------------------------------------------------------------------------------------- side
-
 void check_side(const Plane& p, const Point& u) {
   const int expected = expected_side(p, u);
   const int filtered = side_filter(approximation(p), u.approximation);
@@ -114,8 +112,6 @@ TEST(PredicatesTest, SideOfGridPointsNeedsNoFilter) {
     check_side(p, point(g));
   }
 }
-
-// ------------------------------------------------------------------------------------------------------------- compare
 
 TEST(PredicatesTest, ComparisonsAgreeWithRationals) {
   std::mt19937_64 random = generator(402);
@@ -173,9 +169,6 @@ TEST(PredicatesTest, ComparisonSeparatesPointsWithOneApproximation) {
   EXPECT_EQ(rung_of([&] { EXPECT_EQ(compare_along(0, u, v), -1); }), Rung::fixed_width);
   EXPECT_EQ(compare_lexicographic(v, u), 1);
 }
-
-// ----------------------------------------------------------------------------------------------------- normals of
-// planes
 
 void check_turn(const Plane& p, const Plane& q, const Plane& r) {
   const int expected = expected_turn(p, q, r);
@@ -247,8 +240,6 @@ TEST(PredicatesTest, TurnTellsItsRung) {
   EXPECT_EQ(turn(z, x, y), 1);
 }
 
-// -------------------------------------------------------------------------------------------------- small coefficients
-
 struct SmallPlane {
   int a, b, c, d;
   Plane plane() const { return {{a, b, c}, d}; }
@@ -318,9 +309,6 @@ TEST(PredicatesTest, AllSmallTriplesAgainstAllSmallPlanes) {
           }
       }
 }
-
-// ------------------------------------------------------------------------------------------- orientation within a
-// plane
 
 void check_orientation(const Plane& p, const Point& a, const Point& b, const Point& c, int expected) {
   const auto ask = [](const Plane& plane, const Point& x, const Point& y, const Point& z) {
@@ -428,9 +416,6 @@ TEST(PredicatesTest, ProjectedDeterminantAtItsBound) {
     EXPECT_EQ(abs(to_integer(projected_determinant(2, d, c, b))), bound);
   }
 }
-
-// ------------------------------------------------------------------------------------------------------ worked
-// examples
 
 // E01: floating point calls u and v distinct by one pair of lines and equal by the other; all exact answers agree.
 TEST(PredicatesTest, E01IncidenceIsSymmetric) {

@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/api/solids.h"
+
+namespace quoin::api_test {
+namespace {
+
+Expression half(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+  return HalfSpace{{a, b, c, d}};
+}
+
+/// low <= x, y, z <= high as six half-spaces.
+Expression cube_of_half_spaces(const std::string& low, const std::string& high) {
+  std::vector<Expression> terms;
+  for (std::size_t k = 0; k < 3; ++k) {
+    HalfSpace below{{"0", "0", "0", "-" + high}}, above{{"0", "0", "0", low}};
+    below.plane[k] = "1";
+    above.plane[k] = "-1";
+    terms.emplace_back(below);
+    terms.emplace_back(above);
+  }
+  return Expression::intersection_of(terms);
+}
+
+std::string code(const Expression& expression) {
+  const auto result = evaluate(expression);
+  return result ? "" : result.error().code;
+}
+
+TEST(Expression, NestedIsOneOperation) {
+  const Solid a = box({0, 0, 0}, {4, 4, 4}), b = box({1, 1, 1}, {5, 5, 5}), c = box({2, 0, 0}, {3, 4, 9});
+  const Expression e = ((Expression(a) + b) - c) ^ ~(Expression(b) & c);
+  const Solid expected = ((a + b) - c) ^ ~(b & c);
+  const auto result = evaluate(e);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result.value() == expected);
+  EXPECT_EQ(result.value().to_quoin(), expected.to_quoin());
+}
+
+TEST(Expression, RandomTreesAgreeWithOperators) {
+  auto random = random_engine();
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Solid> solids;
+    std::vector<Expression> trees;
+    for (int i = 0; i < 4; ++i) {
+      solids.push_back(random_tetrahedron(random, 4));
+      trees.emplace_back(solids.back());
+    }
+    for (int step = 0; step < 8; ++step) {
+      const std::size_t i = random() % 4, j = random() % 4;
+      switch (random() % 5) {
+        case 0:
+          solids[i] = solids[i] + solids[j], trees[i] = trees[i] + trees[j];
+          break;
+        case 1:
+          solids[i] = solids[i] - solids[j], trees[i] = trees[i] - trees[j];
+          break;
+        case 2:
+          solids[i] = solids[i] & solids[j], trees[i] = trees[i] & trees[j];
+          break;
+        case 3:
+          solids[i] = solids[i] ^ solids[j], trees[i] = trees[i] ^ trees[j];
+          break;
+        default:
+          solids[i] = ~solids[i], trees[i] = ~trees[i];
+      }
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto result = evaluate(trees[i]);
+      ASSERT_TRUE(result);
+      EXPECT_EQ(result.value().to_quoin(), solids[i].to_quoin());
+    }
+  }
+}
+
+TEST(Expression, OneSolidSeveralTimes) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(evaluate(Expression(a) ^ a).value().is_empty());
+  EXPECT_TRUE(evaluate(Expression(a) + a).value() == a);
+  EXPECT_TRUE(evaluate(Expression(a) & ~Expression(a)).value().is_empty());
+  EXPECT_TRUE(evaluate(Expression(a) + ~Expression(a)).value() == Solid::full(Grid()));
+  EXPECT_TRUE(evaluate(~~Expression(a)).value() == a);
+}
+
+TEST(Expression, WithoutTerms) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(code(Expression::union_of({})), "no-operand");
+  EXPECT_EQ(code(half("1", "0", "0", "0")), "no-operand");
+  EXPECT_EQ(unite({}).error().code, "no-operand");
+  EXPECT_TRUE(evaluate(a + Expression::union_of({})).value() == a);
+  EXPECT_TRUE(evaluate(a & Expression::intersection_of({})).value() == a);
+  EXPECT_TRUE(evaluate(a & Expression::union_of({})).value().is_empty());
+}
+
+TEST(Expression, LongChainsAreNoProblem) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1}), b = box({0, 0, 0}, {2, 1, 1});
+  Expression chain = a;
+  for (int i = 0; i < 200000; ++i) chain = chain + (i % 2 == 0 ? a : b);
+  EXPECT_TRUE(evaluate(chain).value() == b);
+  Expression alternating = a;
+  for (int i = 0; i < 2000; ++i) alternating = ~(alternating & b);
+  const auto result = evaluate(alternating);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result.value() == a + ~b);
+}
+
+TEST(Expression, HalfSpacesCut) {
+  const Solid a = box({0, 0, 0}, {4, 4, 4});
+  EXPECT_TRUE(evaluate(a & half("1", "0", "0", "-1")).value() == box({0, 0, 0}, {1, 4, 4}));
+  EXPECT_TRUE(evaluate(a - half("1", "0", "0", "-1")).value() == box({1, 0, 0}, {4, 4, 4}));
+  EXPECT_TRUE(evaluate(a & half("-2", "0", "0", "2")).value() == box({1, 0, 0}, {4, 4, 4}));
+  EXPECT_EQ(volume(evaluate(a & half("1", "1", "1", "-1/2")).value()), "1/48");
+  EXPECT_TRUE(evaluate(~Expression(a) + half("1", "0", "0", "-1")).value() == ~box({1, 0, 0}, {4, 4, 4}));
+  // A plane along a face, from both sides.
+  EXPECT_TRUE(evaluate(a & half("0", "1", "0", "0")).value().is_empty());
+  EXPECT_TRUE(evaluate(a & half("0", "-1", "0", "0")).value() == a);
+}
+
+TEST(Expression, HalfSpacesMakeSolids) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(evaluate(a + cube_of_half_spaces("100", "102")).value() == a + box({100, 100, 100}, {102, 102, 102}));
+  EXPECT_TRUE(evaluate(a ^ cube_of_half_spaces("0", "2")).value() == box({0, 0, 0}, {2, 2, 2}) - a);
+  EXPECT_TRUE(evaluate(a + ~cube_of_half_spaces("0", "2")).value() == ~(box({0, 0, 0}, {2, 2, 2}) - a));
+  EXPECT_TRUE(evaluate(Solid() + cube_of_half_spaces("0", "2")).value() == box({0, 0, 0}, {2, 2, 2}));
+  // Up to the world's boundary, and beyond.
+  EXPECT_EQ(volume(evaluate(Solid() + cube_of_half_spaces("0", "536870912")).value()), "154742504910672534362390528");
+  EXPECT_EQ(code(Solid() + cube_of_half_spaces("0", "536870913")), "unbounded");
+  EXPECT_EQ(code(Solid() + cube_of_half_spaces("1000000000", "1000000001")), "unbounded");
+}
+
+TEST(Expression, HalfSpacesWithoutFiniteSurfaceAreRefused) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(code(a + half("1", "0", "0", "-1")), "unbounded");
+  EXPECT_EQ(code(a + half("1", "0", "0", "-1000000000")), "unbounded");
+  EXPECT_EQ(code(~Expression(a) & half("1", "0", "0", "-1")), "unbounded");
+  // A slab, an infinite prism, an octant, and a wedge far out, most of its planes near the origin.
+  EXPECT_EQ(code(a + (half("1", "0", "0", "-2") & half("-1", "0", "0", "0"))), "unbounded");
+  EXPECT_EQ(code(a + (half("1", "0", "0", "-2") & half("-1", "0", "0", "0") & half("0", "1", "0", "-2") &
+                      half("0", "-1", "0", "0"))),
+            "unbounded");
+  EXPECT_EQ(code(a + (half("1", "0", "0", "0") & half("0", "1", "0", "0") & half("0", "0", "1", "0"))), "unbounded");
+  EXPECT_EQ(code(a + (half("1", "-1000000000", "0", "-5") & half("-1", "1000000001", "0", "0") &
+                      half("0", "0", "1", "-9") & half("0", "0", "-1", "-9") & half("-1", "0", "0", "1000000000"))),
+            "unbounded");
+}
+
+TEST(Expression, HalfSpacesThatCancelAtInfinity) {
+  const Solid a = box({0, 0, 0}, {4, 4, 4});
+  const Expression h = half("1", "0", "0", "-2"), opposite = half("-3", "0", "0", "6");
+  EXPECT_TRUE(evaluate(a + (h & opposite)).value() == a);
+  EXPECT_TRUE(evaluate(a & (h + opposite)).value() == a);
+  EXPECT_TRUE(evaluate(~Expression(a) & (h + opposite)).value() == ~a);
+  EXPECT_TRUE(evaluate(~Expression(a) & (half("1", "0", "0", "-2") + half("-1", "0", "0", "1"))).value() == ~a);
+  EXPECT_TRUE(evaluate(a ^ h ^ h).value() == a);
+  EXPECT_TRUE(evaluate((a & h) + (a - h)).value() == a);
+}
+
+TEST(Expression, GridsGoToTheFinest) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1}, grid_of("1/2")), b = box({0, 0, 0}, {2, 1, 1}, grid_of("1/10"));
+  const auto both = evaluate(Expression(a) + b);
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both.value().grid().step(), "1/10");
+  EXPECT_EQ(volume(both.value()), "2");
+}
+
+}  // namespace
+}  // namespace quoin::api_test

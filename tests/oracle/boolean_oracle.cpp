@@ -1,0 +1,156 @@
+// Compares Booleans with the exact Nef polyhedra of CGAL: the symmetric difference of both results is empty.
+// Arguments: the number of random pairs (each is one case a binary operation); QUOIN_SEED as in all random tests.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_incremental_builder_3.h>
+
+#include <set>
+
+#include "booleans/arrangement.h"
+#include "booleans/export.h"
+#include "tests/booleans/support.h"
+
+namespace quoin::booleans::testing {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Surface = CGAL::Polyhedron_3<Kernel>;
+using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+using Point = Kernel::Point_3;
+
+Kernel::FT number(const exact::Integer& v) {
+  exact::Integer rest = abs(v);
+  std::vector<double> limbs;
+  for (; rest != 0; rest >>= 32) limbs.push_back(static_cast<double>(static_cast<std::uint32_t>(rest & 0xFFFFFFFFu)));
+  Kernel::FT r = 0;
+  while (!limbs.empty()) {
+    r = r * Kernel::FT(4294967296.0) + Kernel::FT(limbs.back());
+    limbs.pop_back();
+  }
+  return v < 0 ? Kernel::FT(-r) : r;
+}
+Point point(const exact::Point& p) {
+  const Kernel::FT w = number(exact::to_integer(p.w));
+  return {number(exact::to_integer(p.x[0])) / w, number(exact::to_integer(p.x[1])) / w,
+          number(exact::to_integer(p.x[2])) / w};
+}
+
+struct Mesh {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+};
+
+class Builder : public CGAL::Modifier_base<Surface::HalfedgeDS> {
+ public:
+  explicit Builder(const Mesh& mesh) : mesh_(mesh) {}
+  void operator()(Surface::HalfedgeDS& surface) override {
+    CGAL::Polyhedron_incremental_builder_3<Surface::HalfedgeDS> builder(surface, true);
+    builder.begin_surface(mesh_.points.size(), mesh_.triangles.size());
+    for (const Point& p : mesh_.points) builder.add_vertex(p);
+    for (const Triangle& t : mesh_.triangles) builder.add_facet(t.begin(), t.end());
+    builder.end_surface();
+  }
+
+ private:
+  const Mesh& mesh_;
+};
+
+Nef nef_of_surface(const Mesh& mesh) {
+  Surface surface;
+  Builder builder(mesh);
+  surface.delegate(builder);
+  return Nef(surface);
+}
+
+/// The cones from one point over the triangles: odd parity is what they enclose.
+Nef nef_of_cones(const Mesh& mesh) {
+  const Point apex = mesh.points[mesh.triangles[0][0]];
+  Nef sum;
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Point, 4> p{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], apex};
+    const auto side = CGAL::orientation(p[0], p[1], p[2], p[3]);
+    if (side == CGAL::COPLANAR) continue;
+    if (side == CGAL::NEGATIVE) std::swap(p[1], p[2]);
+    Surface tetrahedron;
+    tetrahedron.make_tetrahedron(p[0], p[1], p[2], p[3]);
+    sum = sum.symmetric_difference(Nef(tetrahedron));
+  }
+  return sum;
+}
+
+/// A bounded body, shell by shell; a point is inside when an odd number of shells enclose it.
+Nef nef(const Body& body) {
+  const Triangulated mesh = separated(body, triangulated(body));
+  Partition parts(mesh.source.size());
+  for (const auto& t : mesh.triangles) {
+    parts.unite(t[0], t[1]);
+    parts.unite(t[0], t[2]);
+  }
+  std::map<std::uint32_t, std::vector<Triangle>> shells;
+  for (const auto& t : mesh.triangles) shells[parts.find(t[0])].push_back(t);
+  Nef sum;
+  for (const auto& [root, triangles] : shells) {
+    Mesh shell;
+    std::map<std::uint32_t, std::uint32_t> ids;
+    std::set<std::uint32_t> sources;
+    for (const Triangle& t : triangles) {
+      Triangle local{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [at, fresh] = ids.try_emplace(t[i], static_cast<std::uint32_t>(ids.size()));
+        if (fresh) shell.points.push_back(point(body.point(mesh.source[t[i]])));
+        sources.insert(mesh.source[t[i]]);
+        local[i] = at->second;
+      }
+      shell.triangles.push_back(local);
+    }
+    // A shell that touches itself is no manifold as a point set.
+    std::set<std::array<std::uint32_t, 2>> edges;
+    for (const Triangle& t : triangles)
+      for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
+    const bool simple = sources.size() == shell.points.size() && edges.size() == 3 * triangles.size();
+    sum = sum.symmetric_difference(simple ? nef_of_surface(shell) : nef_of_cones(shell));
+  }
+  return sum;
+}
+
+/// Equal up to points of no volume, which is all that regular sets can differ in when their interiors agree.
+bool agree(const Body& ours, const Nef& theirs) {
+  return nef(ours).symmetric_difference(theirs).interior().is_empty();
+}
+
+int run(std::uint64_t pairs) {
+  // Mostly where things coincide.
+  static constexpr std::array<Family, 10> worlds{Family::tiny, Family::lattice, Family::tiny,  Family::skew,    Family::lattice,
+                                                 Family::far,  Family::lattice, Family::world, Family::lattice, Family::skew};
+  std::uint64_t cases = 0, wrong = 0;
+  const auto expect = [&](bool right, const char* operation, Family family, std::uint64_t i) {
+    ++cases;
+    if (right) return;
+    ++wrong;
+    std::printf("%s differs from CGAL: %s, %s\n", operation, name_of(family), case_name(i).c_str());
+  };
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    const Family family = i % 40 == 39 ? Family::spheres : worlds[i % worlds.size()];
+    Random random(900, i);
+    Solids solids(random, family);
+    const Body a = solids.next(), b = solids.next();
+    const Nef na = nef(a), nb = nef(b);
+    expect(agree(any(a, b), na + nb), "union", family, i);
+    expect(agree(all(a, b), na * nb), "intersection", family, i);
+    expect(agree(minus(a, b), na - nb), "difference", family, i);
+    expect(agree(odd(a, b), na.symmetric_difference(nb)), "symmetric difference", family, i);
+  }
+  // The comparison sees a missing unit cell.
+  const Body block = box({0, 0, 0}, {3, 3, 3}), notched = minus(block, box({0, 0, 0}, {1, 1, 1}));
+  expect(!agree(notched, nef(block)), "the self-check", Family::lattice, 0);
+  std::printf("%llu cases, %llu wrong\n", static_cast<unsigned long long>(cases), static_cast<unsigned long long>(wrong));
+  return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace quoin::booleans::testing
+
+int main(int count, char** arguments) {
+  return quoin::booleans::testing::run(count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 200);
+}
