@@ -20,7 +20,7 @@ inline constexpr std::uint32_t none = 0xFFFFFFFFu;
 /// Faces: ids below triangles.size() are raw triangles between grid points, the rest are polygons: a plane (normal
 /// outwards) and loops, the face on the left of each loop seen from outside.
 ///
-/// Invariants of a *clean* body (all that operations return; `check` in validate.h tests them):
+/// Invariants of a *clean* body, which all operations return (`fault` in query.h tests B1 and what a body declares):
 ///   B1  every directed edge is balanced by its reverse;
 ///   B2  faces meet only in shared vertices and shared edges: no vertex lies inside an edge or a face that does not
 ///       list it (a touching vertex inside a face is a loop of one corner), no two faces cross or overlap;

@@ -2,6 +2,8 @@
 
 #include "booleans/assemble.h"
 #include "booleans/candidates.h"
+#include "booleans/canonical.h"
+#include "booleans/check.h"
 
 namespace quoin::booleans {
 namespace {
@@ -30,6 +32,7 @@ Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expressi
   std::vector<std::uint8_t> touched(a.operands.face_count());
   for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
   a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
+  if constexpr (exact::checked) check(a.touched, a.vertices, a.planes);
   if (stages.reached(0.3)) return cancelled();
 
   std::vector<FacePair> pairs;
@@ -44,13 +47,17 @@ Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expressi
   if (stages.reached(0.5)) return cancelled();
 
   a.sheets = draw_sheets(a.touched, contacts, a.vertices, a.planes);
+  if constexpr (exact::checked)
+    for (const Sheet& s : a.sheets) check(s, a.vertices, a.planes);
   if (stages.reached(0.7)) return cancelled();
   connect(a, glue);
+  if (exact::checked && glue == Glue::vertices) check(a);  // elsewhere an edge also has faces that are glued, not used
   const Selection selection = select(a, expression);
   if (!selection.consistent)
     return Error{"inconsistent", "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
   if (stages.reached(0.9)) return cancelled();
   Body result = assemble(a, selection);
+  if constexpr (exact::checked) check(result);
   stages.reached(1.0);
   return result;
 }
@@ -95,7 +102,9 @@ Result<Body> resolve(const Body& mesh, std::uint64_t& crossings, const Run& run)
   if (near.empty() && is_simple_surface(mesh)) return mesh;
   Expression itself;
   itself.add({Rule::operand, false, 0, none});
-  return arrange({&mesh}, itself, near, Glue::edges, run);
+  Result<Body> solved = arrange({&mesh}, itself, near, Glue::edges, run);
+  if (!solved) return solved;
+  return body_of(canonical(solved.value()));  // joins cut faces with untouched ones of their plane (B4)
 }
 
 }  // namespace quoin::booleans

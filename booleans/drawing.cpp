@@ -106,6 +106,7 @@ void Drawing::split_pair(std::uint32_t s, std::uint32_t t) {
   const Segment &p = segments_[s], &q = segments_[t];
   if (p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b) {
     // Lines that share a point meet nowhere else unless they are one line.
+    ++exact::counters().symbolic;
     const std::uint32_t other = q.a == p.a || q.a == p.b ? q.b : q.a;
     if (side(other, p.line) == 0) split_collinear(s, t);
     return;

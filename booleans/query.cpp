@@ -14,6 +14,7 @@ using RationalPoint = std::array<Rational, 3>;
 RationalPoint rational(const exact::Point& p) { return {exact::coordinate(p, 0), exact::coordinate(p, 1), exact::coordinate(p, 2)}; }
 
 Rational value(const exact::Plane& plane, const RationalPoint& p) {
+  ++exact::counters().rational;
   Rational r = exact::to_integer(plane.d);
   for (std::size_t k = 0; k < 3; ++k) r += plane.n[k] * p[k];
   return r;

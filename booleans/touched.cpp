@@ -187,6 +187,19 @@ TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>
     out.vertex_of[i].assign(operands.bodies[i]->vertex_count(), none);
     Collector(operands, i, touched, vertices, planes, out).run();
   }
+  out.edge_tree.resize(out.faces.size());
+  for (std::size_t i = 0; i < out.faces.size(); ++i) {
+    const TouchedFace& f = out.faces[i];
+    if (f.edges_end - f.edges_begin <= TouchedFaces::large) continue;
+    std::vector<BoxTree::Item> items;
+    for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
+      Box box;
+      box.add(vertices.approximation(out.edges[e].from));
+      box.add(vertices.approximation(out.edges[e].to));
+      items.push_back({box, e, e});
+    }
+    out.edge_tree[i] = std::make_unique<BoxTree>(std::move(items));
+  }
   return out;
 }
 

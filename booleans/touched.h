@@ -48,6 +48,9 @@ struct Operands {
 };
 
 struct TouchedFaces {
+  /// Faces with more edges than this are searched through a tree over their edges.
+  static constexpr std::uint32_t large = 48;
+
   std::vector<TouchedFace> faces;
   std::vector<BoundaryEdge> edges;
   std::vector<std::uint32_t> isolated;
@@ -56,6 +59,7 @@ struct TouchedFaces {
   /// Per operand: local vertex id -> table id, none where the vertex is on no touched face.
   std::vector<std::vector<std::uint32_t>> vertex_of;
   std::vector<std::unique_ptr<Adjacency>> adjacency;  // per operand; null where nothing is touched
+  std::vector<std::unique_ptr<BoxTree>> edge_tree;    // per face, items are indices into edges; null for small faces
 };
 
 /// Pulls in, for every face marked touched, all triangles that are coplanar and connected with it.

@@ -101,6 +101,27 @@ TEST(Examples, FaceCyclesWithSlitsAndPoints) {
   }
 }
 
+TEST(Examples, CanonicalFormDropsNeedlessVertices) {
+  const Body plain = body_of(canonical(cube(0, 4)));
+  // A dot inside the first face that nothing else touches.
+  Body dotted = plain;
+  const std::size_t axis = plain.planes[0].n[0] != 0 ? 0 : plain.planes[0].n[1] != 0 ? 1 : 2;
+  exact::GridPoint dot{{2, 2, 2}};
+  dot.c[axis] = plain.grid_points[plain.corners[0]][static_cast<int>(axis)];
+  ASSERT_EQ(plain.points.size(), 0u);
+  dotted.grid_points.push_back(dot);
+  const std::uint32_t corners = plain.loop_corners[1];
+  dotted.corners.insert(dotted.corners.begin() + corners, static_cast<std::uint32_t>(plain.grid_points.size()));
+  dotted.loop_corners.insert(dotted.loop_corners.begin() + 1, corners);
+  for (std::size_t j = 2; j < dotted.loop_corners.size(); ++j) ++dotted.loop_corners[j];
+  for (std::size_t i = 1; i < dotted.polygon_loops.size(); ++i) ++dotted.polygon_loops[i];
+  ASSERT_EQ(fault(dotted), std::nullopt);
+  EXPECT_TRUE(canonical(dotted) == canonical(plain));
+  // Twelve triangles and six squares are one form.
+  EXPECT_TRUE(canonical(cube(0, 4)) == canonical(plain));
+  EXPECT_EQ(plain.face_count(), 6u);
+}
+
 // A plane through vertices and edges: those that it only touches are no cut.
 TEST(Examples, CutsThroughVertices) {
   const Body stone = *octahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
