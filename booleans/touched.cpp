@@ -20,7 +20,7 @@ class Collector {
             PlaneTable& planes, TouchedFaces& out)
       : body_(*operands.bodies[operand]), operand_(operand), base_(operands.base[operand]), touched_(touched),
         vertices_(vertices), planes_(planes), out_(out), adjacency_(*out.adjacency[operand]),
-        vertex_of_(out.vertex_of[operand]) {}
+        vertex_of_(out.vertex_of[operand]), first_face_(out.faces.size()) {}
 
   void run() {
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
@@ -124,8 +124,7 @@ class Collector {
   void find_other_planes() {
     const std::size_t first = out_.edges.size() - local_.size();
     std::size_t at = first;
-    for (std::size_t i = 0; i < out_.faces.size(); ++i) {
-      if (out_.faces[i].operand != operand_) continue;
+    for (std::size_t i = first_face_; i < out_.faces.size(); ++i) {
       const TouchedFace& face = out_.faces[i];
       for (; at < face.edges_end; ++at) {
         BoundaryEdge& e = out_.edges[at];
@@ -167,6 +166,7 @@ class Collector {
   TouchedFaces& out_;
   const Adjacency& adjacency_;
   std::vector<std::uint32_t>& vertex_of_;
+  const std::size_t first_face_;  // of this operand
   std::vector<std::uint32_t> members_;
   std::vector<LocalEdge> local_;  // of all edges of this operand, parallel to the tail of out_.edges
 };

@@ -213,7 +213,7 @@ std::array<Vector, 3> random_turn(Random& random, std::int64_t reach) {
 }
 
 TEST(Headlines, BlocksThatShareATurnedFaceBecomeOne) {
-  for (std::uint64_t i = 0; i < 400; ++i) {
+  for (std::uint64_t i = 0; i < case_count(400); ++i) {
     SCOPED_TRACE(case_name(i));
     Random random(300, i);
     std::array<Vector, 3> span = random_turn(random, 60);
@@ -240,7 +240,7 @@ std::optional<Body> ball(const Vector& centre, double radius) {
 TEST(Headlines, SplitByAnyPlaneAndReunited) {
   const Body solid = *ball({17, -5, 3}, 1'000'000);
   const exact::GridPoint low{{-2'000'000, -2'000'000, -2'000'000}}, high{{2'000'000, 2'000'000, 2'000'000}};
-  for (std::uint64_t i = 0; i < 150; ++i) {
+  for (std::uint64_t i = 0; i < case_count(150); ++i) {
     SCOPED_TRACE(case_name(i));
     Random random(310, i);
     Vector n{};
@@ -261,7 +261,7 @@ TEST(Headlines, SplitByAnyPlaneAndReunited) {
 }
 
 TEST(Headlines, WhatIsTakenTwiceIsNothing) {
-  for (std::uint64_t i = 0; i < 200; ++i) {
+  for (std::uint64_t i = 0; i < case_count(200); ++i) {
     SCOPED_TRACE(case_name(i));
     Random random(320, i);
     const Body a = *ball(random.vector(-3000, 3000), static_cast<double>(random.between(5000, 9000)));

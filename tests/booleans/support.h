@@ -30,6 +30,12 @@ inline std::uint64_t seed() {
   return value;
 }
 
+/// How many cases a law is shown on: QUOIN_CASES, or what suits a test run.
+inline std::uint64_t case_count(std::uint64_t usual) {
+  const char* text = std::getenv("QUOIN_CASES");
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : usual;
+}
+
 /// splitmix64: the same numbers with every standard library.
 class Random {
  public:
