@@ -357,10 +357,9 @@ void Drawing::cover_facets(Sheet& sheet) {
     if (cover[f].empty()) continue;
     name[f] = static_cast<std::uint32_t>(sheet.facet_count());
     std::sort(cover[f].begin(), cover[f].end());
-    for (const auto& [face, times] : cover[f]) {
-      assert(times > 0);  // a face has its interior on its left everywhere
-      sheet.cover.insert(sheet.cover.end(), static_cast<std::size_t>(times), face);
-    }
+    // A face lies on the left of its boundary, so no count is negative; of bad input the labels show it (`select`).
+    for (const auto& [face, times] : cover[f])
+      sheet.cover.insert(sheet.cover.end(), static_cast<std::size_t>(std::max(times, 0)), face);
     sheet.cover_start.push_back(static_cast<std::uint32_t>(sheet.cover.size()));
   }
   sheet.facet.resize(2 * n);

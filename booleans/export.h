@@ -17,6 +17,8 @@ struct Triangulated {
 Triangulated triangulated(const Body& body);
 /// The same with touching parts separated combinatorially: at an edge of 2k triangles those that bound one wedge of the
 /// solid are paired, and a vertex is split into its fans ("shrink the interior"). Every edge has two triangles.
+/// Two edges may join the same two vertices, where the solid touches itself along an edge and hangs together around both
+/// of its ends: then four triangles name that pair of vertices (tests: complement-of-boxes-that-share-an-edge).
 Triangulated separated(const Body& body, const Triangulated& mesh);
 
 /// Of a separated mesh: connected components, and the sum of their genera.

@@ -114,7 +114,7 @@ Units: STL, OBJ, OFF and PLY have no unit. Quoin takes their numbers as they are
   operands must use the same one. Volumes are in cubic model units.
 
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
-  of two, 2^-26 of the model's size or finer; --step 1/1000 makes decimals with three places exact.
+  of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.
   The largest move is reported as max_snap. A .quoin operand fixes the grid.
 
 Examples:

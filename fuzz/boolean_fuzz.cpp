@@ -70,7 +70,9 @@ void check_mesh(const Body& body) {
     for (const auto& t : mesh.triangles)
       for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
   };
-  for_edges(whole, [&](std::uint32_t u, std::uint32_t v) { balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1; });
+  for_edges(whole, [&](std::uint32_t u, std::uint32_t v) {
+    balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1;
+  });
   for_edges(whole, [&](std::uint32_t u, std::uint32_t v) { ++uses[{whole.source[u], whole.source[v]}]; });
   for (const auto& [edge, sum] : balance) require(sum == 0, "triangulations are closed");
   for_edges(apart, [&](std::uint32_t u, std::uint32_t v) { ++use[{u, v}]; });
@@ -112,7 +114,8 @@ void check_resolve(const Script& s) {
   for (const Body& b : s.operands) operands.push_back(&b);
   std::uint64_t crossings = 0;
   const Body resolved = checked(resolve(mesh, crossings));
-  const Body all = checked(evaluate(operands, Expression::flat(Rule::any, static_cast<std::uint32_t>(operands.size()))));
+  const Body all =
+      checked(evaluate(operands, Expression::flat(Rule::any, static_cast<std::uint32_t>(operands.size()))));
   require(canonical(resolved) == canonical(all), "one mesh of all operands resolves to their union");
 }
 

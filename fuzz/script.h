@@ -42,14 +42,19 @@ class ScriptReader {
     const std::uint8_t b = next();
     const std::int64_t world = exact::world;
     switch (b % 8) {
-      case 5: scale_ = 1000; break;
-      case 6: scale_ = world / reach; break;
+      case 5:
+        scale_ = 1000;
+        break;
+      case 6:
+        scale_ = world / reach;
+        break;
       case 7: {
         const auto corner = [&](int bit) { return b >> bit & 1 ? world - reach : reach - world; };
         origin_ = {corner(3), corner(4), corner(5)};
         break;
       }
-      default: break;
+      default:
+        break;
     }
   }
 
@@ -91,7 +96,8 @@ class ScriptReader {
       case 4: {
         const std::uint8_t b = next();
         const std::int64_t inner_x = 1 + (b & 1), inner_y = 1 + (b >> 1 & 1), top = 1 + (b >> 2 & 1);
-        const booleans::Body l = l_shape({inner_x, inner_y}, {inner_x + 1 + (b >> 3 & 1), inner_y + 1 + (b >> 4 & 1)}, 0, top);
+        const booleans::Body l =
+            l_shape({inner_x, inner_y}, {inner_x + 1 + (b >> 3 & 1), inner_y + 1 + (b >> 4 & 1)}, 0, top);
         const auto k = static_cast<std::size_t>(b >> 5) % 3;
         std::array<Vector, 3> columns{};
         for (std::size_t i = 0; i < 3; ++i) columns[i][(i + k) % 3] = 1;

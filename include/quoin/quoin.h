@@ -133,7 +133,7 @@ struct ExportReport {
   bool closed = true;
 };
 
-/// Counts and measures of a solid in canonical form (see docs/overview.md).
+/// Counts and measures of a solid in canonical form (see docs/overview.md); `triangles` alone counts what export writes.
 struct Info {
   std::uint64_t vertices = 0, edges = 0, faces = 0, triangles = 0;
   /// Connected components and genus of the separated (manifold) boundary.

@@ -119,7 +119,8 @@ TEST(Cells, PointsOfRandomSolids) {
       Random random(100 + static_cast<std::uint64_t>(family), i);
       Solids solids(random, family);
       std::vector<Body> operands;
-      for (std::uint64_t n = 2 + random.below(2); n > 0; --n) operands.push_back(random.one_in(6) ? complement(solids.next()) : solids.next());
+      for (std::uint64_t n = 2 + random.below(2); n > 0; --n)
+        operands.push_back(random.one_in(6) ? complement(solids.next()) : solids.next());
       const Expression e = random_expression(random, operands.size(), 2);
       const Body result = evaluated(operands, e);
       std::vector<Soup> soups;
@@ -189,7 +190,8 @@ TEST(Cells, BoxSoupsCellByCell) {
         for (std::int64_t z = -1; z <= size; ++z) {
           const Vector cell{x, y, z};
           const bool here = filled(cell);
-          ASSERT_EQ(locate(result, {Rational(2 * x + 1, 2), Rational(2 * y + 1, 2), Rational(2 * z + 1, 2)}), here ? 1 : -1);
+          ASSERT_EQ(locate(result, {Rational(2 * x + 1, 2), Rational(2 * y + 1, 2), Rational(2 * z + 1, 2)}),
+                    here ? 1 : -1);
           cells += here != outside;
           if (here != outside) cubes.push_back(box(cell, cell + Vector{1, 1, 1}));
           for (std::size_t k = 0; k < 3; ++k) {

@@ -81,7 +81,9 @@ TEST(Examples, EulerPoincareDoesNotAcceptADanglingFace) {
 TEST(Examples, FaceCyclesWithSlitsAndPoints) {
   const Body table = box({0, 0, 0}, {8, 8, 2});
   const exact::Plane top{{0, 0, 1}, -2};
-  const auto wedge = [](std::int64_t x, std::int64_t y) { return *prism({x, y, 2}, {x, y + 1, 4}, {x, y - 1, 4}, {2, 0, 0}); };
+  const auto wedge = [](std::int64_t x, std::int64_t y) {
+    return *prism({x, y, 2}, {x, y + 1, 4}, {x, y - 1, 4}, {2, 0, 0});
+  };
   const Body inner_slit = any(table, wedge(3, 4));
   EXPECT_EQ(loop_sizes(inner_slit, top), (std::vector<std::size_t>{2, 4}));
   EXPECT_EQ(counts(inner_slit), (Counts{14, 21, 11, 12, 2, 0}));
@@ -127,11 +129,11 @@ TEST(Examples, CutsThroughVertices) {
   const Body stone = *octahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
   const exact::GridPoint low{{-4, -4, -4}}, high{{4, 4, 4}};
   const auto below = [&](const exact::Plane& p) { return half_space_body(p, low, high); };
-  EXPECT_TRUE(same(all(stone, below({{0, 0, 1}, -2})), stone));                    // touches the tip
-  EXPECT_TRUE(empty(all(stone, below({{0, 0, -1}, 2}))));                          // the tip alone is nothing
-  EXPECT_TRUE(same(all(stone, below({{1, 1, 1}, -2})), stone));                    // touches a face
-  EXPECT_TRUE(same(all(stone, below({{1, 0, 1}, -2})), stone));                    // touches an edge
-  EXPECT_EQ(counts(all(stone, below({{0, 0, 1}, 0}))), (Counts{5, 8, 5, 5, 1, 0}));   // along four edges
+  EXPECT_TRUE(same(all(stone, below({{0, 0, 1}, -2})), stone));                        // touches the tip
+  EXPECT_TRUE(empty(all(stone, below({{0, 0, -1}, 2}))));                              // the tip alone is nothing
+  EXPECT_TRUE(same(all(stone, below({{1, 1, 1}, -2})), stone));                        // touches a face
+  EXPECT_TRUE(same(all(stone, below({{1, 0, 1}, -2})), stone));                        // touches an edge
+  EXPECT_EQ(counts(all(stone, below({{0, 0, 1}, 0}))), (Counts{5, 8, 5, 5, 1, 0}));    // along four edges
   EXPECT_EQ(counts(all(stone, below({{1, -1, 0}, 0}))), (Counts{6, 11, 7, 7, 1, 0}));  // two tips, two edges
 }
 
@@ -217,8 +219,8 @@ TEST(Headlines, BlocksThatShareATurnedFaceBecomeOne) {
     SCOPED_TRACE(case_name(i));
     Random random(300, i);
     std::array<Vector, 3> span = random_turn(random, 60);
-    if (random.one_in(2))
-      do span = {random.vector(-9999, 9999), random.vector(-9999, 9999), random.vector(-9999, 9999)};
+    if (random.one_in(2)) do
+        span = {random.vector(-9999, 9999), random.vector(-9999, 9999), random.vector(-9999, 9999)};
       while (determinant(span[0], span[1], span[2]) == 0);
     // The same blocks with their spanning vectors in any order are other meshes: other vertices, other diagonals.
     const std::size_t k = random.below(3), l = (k + 1 + random.below(2)) % 3, m = 3 - k - l;
@@ -247,8 +249,10 @@ TEST(Headlines, SplitByAnyPlaneAndReunited) {
     while (n == Vector{}) n = random.one_in(5) ? random.vector(-1, 1) : random.vector(-1'000'000, 1'000'000);
     // Through a point inside, one time in three a vertex of the solid.
     const auto& vertices = solid.grid_points;
-    const Vector through = random.one_in(3) ? vector(vertices[random.below(vertices.size())]) : random.vector(-400'000, 400'000);
-    const exact::int128 d = -(exact::int128(n[0]) * through[0] + exact::int128(n[1]) * through[1] + exact::int128(n[2]) * through[2]);
+    const Vector through =
+        random.one_in(3) ? vector(vertices[random.below(vertices.size())]) : random.vector(-400'000, 400'000);
+    const exact::int128 d =
+        -(exact::int128(n[0]) * through[0] + exact::int128(n[1]) * through[1] + exact::int128(n[2]) * through[2]);
     const exact::Plane plane = exact::reduced_plane({n[0], n[1], n[2]}, d);
     const Body under = half_space_body(plane, low, high), over = half_space_body(plane.opposite(), low, high);
     ASSERT_EQ(fault(under), std::nullopt);

@@ -54,7 +54,9 @@ class Random {
     return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low + 1)));
   }
   bool one_in(std::uint64_t n) { return below(n) == 0; }
-  Vector vector(std::int64_t low, std::int64_t high) { return {between(low, high), between(low, high), between(low, high)}; }
+  Vector vector(std::int64_t low, std::int64_t high) {
+    return {between(low, high), between(low, high), between(low, high)};
+  }
 
  private:
   std::uint64_t state_;
@@ -114,10 +116,8 @@ class Solids {
     if (family == Family::far)
       for (auto& x : origin_) x = random.one_in(2) ? w - 4 : -w;
     static constexpr std::int64_t e = exact::world;
-    static constexpr std::array<std::array<std::int64_t, 5>, 4> scales{{{-e, -e / 2, 0, e / 2, e},
-                                                                        {-e, -e + 1, 0, e - 1, e},
-                                                                        {-e, -1, 0, 1, e},
-                                                                        {-e, -e / 3, 7, e / 3 + 1, e - 2}}};
+    static constexpr std::array<std::array<std::int64_t, 5>, 4> scales{
+        {{-e, -e / 2, 0, e / 2, e}, {-e, -e + 1, 0, e - 1, e}, {-e, -1, 0, 1, e}, {-e, -e / 3, 7, e / 3 + 1, e - 2}}};
     for (auto& scale : scale_) scale = scales[random.below(scales.size())];
   }
 
@@ -131,24 +131,32 @@ class Solids {
     if (!random_.one_in(4)) return raw();
     const Body a = raw(), b = raw();
     switch (random_.below(3)) {
-      case 0: return any(a, b);
-      case 1: return all(a, b);
-      default: return minus(a, b);
+      case 0:
+        return any(a, b);
+      case 1:
+        return all(a, b);
+      default:
+        return minus(a, b);
     }
   }
 
  private:
   std::optional<Body> placed() {
     switch (family_) {
-      case Family::tiny: return shape(0, 2);
-      case Family::lattice: return shape(0, 4);
-      case Family::skew: return skew();
+      case Family::tiny:
+        return shape(0, 2);
+      case Family::lattice:
+        return shape(0, 4);
+      case Family::skew:
+        return skew();
       case Family::far: {
         const auto body = shape(0, 4);
         return body ? moved(*body, origin_) : std::nullopt;
       }
-      case Family::world: return spread();
-      case Family::spheres: return random_.one_in(3) ? hewn() : dented();
+      case Family::world:
+        return spread();
+      case Family::spheres:
+        return random_.one_in(3) ? hewn() : dented();
     }
     return std::nullopt;
   }
@@ -168,7 +176,8 @@ class Solids {
   }
   std::optional<Body> any_l(std::int64_t high) {
     const std::int64_t x = random_.between(1, high - 1), y = random_.between(1, high - 1);
-    const Body l = l_shape({x, y}, {random_.between(x + 1, high), random_.between(y + 1, high)}, 0, random_.between(1, high));
+    const Body l =
+        l_shape({x, y}, {random_.between(x + 1, high), random_.between(y + 1, high)}, 0, random_.between(1, high));
     // One of the 48 symmetries of the cube, moved back to where it came from.
     std::array<Vector, 3> columns{};
     Vector origin{};
@@ -185,20 +194,29 @@ class Solids {
   std::optional<Body> shape(std::int64_t low, std::int64_t high) {
     const std::int64_t step = high > 2 ? 2 : 1;
     switch (random_.below(8)) {
-      case 0: return any_tetrahedron(low, high);
+      case 0:
+        return any_tetrahedron(low, high);
       case 1:
-      case 2: return axis_box(low, high);
-      case 3: return fitting(prism(random_.vector(low, high), random_.vector(low, high), random_.vector(low, high),
-                                   random_.vector(-step, step)), low, high);
-      case 4: return fitting(block(random_.vector(low, high), random_.vector(-step, step), random_.vector(-step, step),
-                                   random_.vector(-step, step)), low, high);
-      case 5: return fitting(octahedron(random_.vector(low, high), random_.vector(-step, step),
-                                        random_.vector(-step, step), random_.vector(-step, step)), low, high);
+      case 2:
+        return axis_box(low, high);
+      case 3:
+        return fitting(prism(random_.vector(low, high), random_.vector(low, high), random_.vector(low, high),
+                             random_.vector(-step, step)),
+                       low, high);
+      case 4:
+        return fitting(block(random_.vector(low, high), random_.vector(-step, step), random_.vector(-step, step),
+                             random_.vector(-step, step)),
+                       low, high);
+      case 5:
+        return fitting(octahedron(random_.vector(low, high), random_.vector(-step, step), random_.vector(-step, step),
+                                  random_.vector(-step, step)),
+                       low, high);
       case 6: {  // the regular one: its edges lie in the planes of the lattice
         const std::int64_t r = random_.between(1, step);
         return fitting(octahedron(random_.vector(low, high), {r, 0, 0}, {0, r, 0}, {0, 0, r}), low, high);
       }
-      default: return any_l(high);
+      default:
+        return any_l(high);
     }
   }
   static std::optional<Body> fitting(std::optional<Body> body, std::int64_t low, std::int64_t high) {
@@ -211,10 +229,14 @@ class Solids {
 
   std::optional<Body> skew() {
     switch (random_.below(4)) {
-      case 0: return any_tetrahedron(-6, 6);
-      case 1: return block(random_.vector(-4, 4), random_.vector(-3, 3), random_.vector(-3, 3), random_.vector(-3, 3));
-      case 2: return octahedron(random_.vector(-3, 3), random_.vector(-4, 4), random_.vector(-4, 4), random_.vector(-4, 4));
-      default: return prism(random_.vector(-6, 6), random_.vector(-6, 6), random_.vector(-6, 6), random_.vector(-4, 4));
+      case 0:
+        return any_tetrahedron(-6, 6);
+      case 1:
+        return block(random_.vector(-4, 4), random_.vector(-3, 3), random_.vector(-3, 3), random_.vector(-3, 3));
+      case 2:
+        return octahedron(random_.vector(-3, 3), random_.vector(-4, 4), random_.vector(-4, 4), random_.vector(-4, 4));
+      default:
+        return prism(random_.vector(-6, 6), random_.vector(-6, 6), random_.vector(-6, 6), random_.vector(-4, 4));
     }
   }
 
@@ -244,13 +266,15 @@ class Solids {
   std::optional<Body> dented() {
     const auto rings = static_cast<std::uint32_t>(random_.between(3, 7));
     const auto segments = static_cast<std::uint32_t>(random_.between(3, 9));
-    const double size = static_cast<double>(random_.between(200, 1000)), dent = static_cast<double>(random_.between(0, 6)) / 10;
+    const double size = static_cast<double>(random_.between(200, 1000)),
+                 dent = static_cast<double>(random_.between(0, 6)) / 10;
     return sphere(random_.vector(-400, 400), rings, segments, [&](std::uint32_t, std::uint32_t) {
       return size * (1 - dent * static_cast<double>(random_.below(1000)) / 1000);
     });
   }
   std::optional<Body> hewn() {
-    return block(random_.vector(-600, 600), random_.vector(-700, 700), random_.vector(-700, 700), random_.vector(-700, 700));
+    return block(random_.vector(-600, 600), random_.vector(-700, 700), random_.vector(-700, 700),
+                 random_.vector(-700, 700));
   }
 
   Random& random_;
@@ -259,7 +283,8 @@ class Solids {
   std::array<std::array<std::int64_t, 5>, 3> scale_;
 };
 
-inline void grow_expression(Random& random, Expression& expression, std::uint32_t operands, std::uint32_t parent, int depth) {
+inline void grow_expression(Random& random, Expression& expression, std::uint32_t operands, std::uint32_t parent,
+                            int depth) {
   const bool negated = random.one_in(4);
   if (depth == 0 || (parent != none && random.one_in(3))) {
     expression.add({Rule::operand, negated, static_cast<std::uint32_t>(random.below(operands)), parent});

@@ -115,14 +115,13 @@ Nef nef(const Body& body) {
 }
 
 /// Equal up to points of no volume, which is all that regular sets can differ in when their interiors agree.
-bool agree(const Body& ours, const Nef& theirs) {
-  return nef(ours).symmetric_difference(theirs).interior().is_empty();
-}
+bool agree(const Body& ours, const Nef& theirs) { return nef(ours).symmetric_difference(theirs).interior().is_empty(); }
 
 int run(std::uint64_t pairs) {
   // Mostly where things coincide.
-  static constexpr std::array<Family, 10> worlds{Family::tiny, Family::lattice, Family::tiny,  Family::skew,    Family::lattice,
-                                                 Family::far,  Family::lattice, Family::world, Family::lattice, Family::skew};
+  static constexpr std::array<Family, 10> worlds{Family::tiny,    Family::lattice, Family::tiny,    Family::skew,
+                                                 Family::lattice, Family::far,     Family::lattice, Family::world,
+                                                 Family::lattice, Family::skew};
   std::uint64_t cases = 0, wrong = 0, undecided = 0;
   const auto expect = [&](bool right, const char* operation, Family family, std::uint64_t i) {
     ++cases;
