@@ -147,7 +147,7 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   if (body.full_at_infinity)
     return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
   Triangulated mesh = booleans::triangulated(body);
-  if (options.topology == Topology::manifold) mesh = booleans::separated(body, mesh);
+  if (options.topology == Topology::manifold) mesh = booleans::separated(body, mesh, booleans::Pairing::by_distinct_edges);
   Mesh out;
   out.points = rounded_points(body, Access::lattice(*this), mesh.source, options.float32);
   if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))

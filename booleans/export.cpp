@@ -140,33 +140,95 @@ Triangulated triangulated(const Body& body) {
   return mesh;
 }
 
-Triangulated separated(const Body& body, const Triangulated& mesh) {
-  Partition corners(3 * mesh.triangles.size());
-  const auto next = [](std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
-  // Glues the edge from corner c to the reverse edge from corner d.
-  const auto glue = [&](std::uint32_t c, std::uint32_t d) {
-    corners.unite(c, next(d));
-    corners.unite(next(c), d);
+namespace {
+
+/// Glues the triangles of a mesh in pairs over its edges.
+class Separator {
+ public:
+  Separator(const Body& body, const Triangulated& mesh) : mesh_(mesh), edges_(mesh) {
+    edges_.for_runs([&](std::span<const EdgeList::Entry> run) {
+      if (run.size() == 2) pairs_.push_back({run[0].corner, run[1].corner});
+      else crowded_.push_back({around(body, run), false});
+    });
+  }
+
+  /// The corners of each vertex of the separated mesh.
+  Partition glued() const {
+    Partition corners(3 * mesh_.triangles.size());
+    const auto glue = [&](const Pair& p) {
+      corners.unite(p[0], next(p[1]));
+      corners.unite(next(p[0]), p[1]);
+    };
+    for (const Pair& p : pairs_) glue(p);
+    for (const Crowd& c : crowded_)
+      for (const Pair& p : paired(c)) glue(p);
+    return corners;
+  }
+
+  /// Turns the pairing at edges where two pairs have the same two vertices; false when there are none to turn.
+  bool turn_equal_edges(Partition& corners) {
+    bool any = false;
+    for (Crowd& c : crowded_) {
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+      for (const Pair& p : paired(c)) ends.push_back(std::minmax(corners.find(p[0]), corners.find(next(p[0]))));
+      std::sort(ends.begin(), ends.end());
+      if (c.outside || std::adjacent_find(ends.begin(), ends.end()) == ends.end()) continue;
+      c.outside = any = true;
+    }
+    return any;
+  }
+
+ private:
+  using Pair = std::array<std::uint32_t, 2>;  // corners whose edges are glued
+  struct Crowd {
+    std::vector<std::uint32_t> corners;  // counter-clockwise around the edge
+    bool outside;                        // paired over the outside's wedges
   };
-  const EdgeList edges(mesh);
-  std::vector<std::uint32_t> order;
-  edges.for_runs([&](std::span<const EdgeList::Entry> run) {
-    if (run.size() == 2) return glue(run[0].corner, run[1].corner);
-    const auto forward = [&](std::uint32_t i) { return mesh.triangles[run[i].corner / 3][run[i].corner % 3] == run[i].low; };
-    order.resize(run.size());
+
+  static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
+  std::uint32_t vertex(std::uint32_t c) const { return mesh_.triangles[c / 3][c % 3]; }
+  bool forward(std::uint32_t c) const { return vertex(c) < vertex(next(c)); }
+
+  std::vector<std::uint32_t> around(const Body& body, std::span<const EdgeList::Entry> run) const {
+    std::vector<std::uint32_t> order(run.size());
     std::iota(order.begin(), order.end(), 0u);
     std::vector<exact::Plane> planes;
-    for (const auto& e : run) planes.push_back(body.plane(mesh.face[e.corner / 3]));
-    const exact::Point low = body.point(mesh.source[run[0].low]), high = body.point(mesh.source[run[0].high]);
+    for (const auto& e : run) planes.push_back(body.plane(mesh_.face[e.corner / 3]));
+    const exact::Point low = body.point(mesh_.source[run[0].low]), high = body.point(mesh_.source[run[0].high]);
     int axis = -1, direction = 0;
     while (direction == 0) direction = exact::compare_along(++axis, high, low);
-    sort_around(order, axis, direction, [&](std::uint32_t i) -> const exact::Plane& { return planes[i]; }, forward);
-    // The solid lies counter-clockwise after a triangle that runs backward, and before one that runs forward.
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t a = order[i], b = order[i + 1 < order.size() ? i + 1 : 0];
-      if (!forward(a) && forward(b)) glue(run[b].corner, run[a].corner);
+    sort_around(order, axis, direction, [&](std::uint32_t i) -> const exact::Plane& { return planes[i]; },
+                [&](std::uint32_t i) { return forward(run[i].corner); });
+    for (std::uint32_t& i : order) i = run[i].corner;
+    return order;
+  }
+
+  /// The solid lies counter-clockwise after a triangle that runs backward, and before one that runs forward.
+  std::vector<Pair> paired(const Crowd& c) const {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < c.corners.size(); ++i) {
+      const std::uint32_t a = c.corners[i], b = c.corners[i + 1 < c.corners.size() ? i + 1 : 0];
+      if (forward(a) == c.outside && forward(b) != c.outside) pairs.push_back({a, b});
     }
-  });
+    return pairs;
+  }
+
+  const Triangulated& mesh_;
+  const EdgeList edges_;
+  std::vector<Pair> pairs_;
+  std::vector<Crowd> crowded_;
+};
+
+}  // namespace
+
+Triangulated separated(const Body& body, const Triangulated& mesh, Pairing pairing) {
+  Separator separator(body, mesh);
+  Partition corners = separator.glued();
+  // An edge is turned once, for good; turning may make others equal, so a few rounds follow.
+  for (int round = 0; round < 4 && pairing == Pairing::by_distinct_edges; ++round) {
+    if (!separator.turn_equal_edges(corners)) break;
+    corners = separator.glued();
+  }
   Triangulated r;
   r.face = mesh.face;
   r.triangles.resize(mesh.triangles.size());

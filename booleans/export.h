@@ -15,11 +15,19 @@ struct Triangulated {
 
 /// Every body vertex in use is one output vertex; an edge may carry 4, 6, ... triangles.
 Triangulated triangulated(const Body& body);
-/// The same with touching parts separated combinatorially: at an edge of 2k triangles those that bound one wedge of the
-/// solid are paired, and a vertex is split into its fans ("shrink the interior"). Every edge has two triangles.
-/// Two edges may join the same two vertices, where the solid touches itself along an edge and hangs together around both
-/// of its ends: then four triangles name that pair of vertices (tests: complement-of-boxes-that-share-an-edge).
-Triangulated separated(const Body& body, const Triangulated& mesh);
+/// How the triangles at an edge of 2k triangles are paired.
+enum class Pairing {
+  /// Those that bound one wedge of the solid: "shrink the interior". This is the boundary's own topology.
+  by_interior,
+  /// The same, but where two edges would then join the same two vertices (the solid touches itself along an edge and
+  /// hangs together around both of its ends) those that bound one wedge of the outside, so that two indices name one
+  /// edge. Only an edge that both the solid and its complement hang around at both ends may keep four triangles.
+  by_distinct_edges,
+};
+
+/// The same with touching parts separated combinatorially: triangles are glued in pairs over edges, and a vertex is
+/// split into its fans.
+Triangulated separated(const Body& body, const Triangulated& mesh, Pairing pairing = Pairing::by_interior);
 
 /// Of a separated mesh: connected components, and the sum of their genera.
 struct Shells {

@@ -1,6 +1,8 @@
 // Worked examples whose answers are known by hand, and the laws that no floating-point engine keeps.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "booleans/export.h"
 #include "tests/booleans/support.h"
 
@@ -187,6 +189,27 @@ TEST(Examples, EdgeLyingInAFace) {
   // Two prisms that share the edge x = z = 0.
   EXPECT_EQ(counts(both), (Counts{10, 17, 10, 10, 2, 0}));
   EXPECT_EQ(loop_sizes(both, {{0, 0, 1}, 0}), (std::vector<std::size_t>{4, 4}));
+}
+
+/// The largest number of triangles that name one pair of vertices.
+std::size_t most_on_one_edge(const Triangulated& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
+  std::size_t most = 0;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, ++uses[std::minmax(t[k], t[(k + 1) % 3])]);
+  return most;
+}
+
+TEST(Examples, EdgesThatTheSolidHangsAroundAreSeparatedTheOtherWay) {
+  // A box with two cubic voids that share an edge: the solid meets itself there and hangs together around both ends.
+  const Body voids = any(cube(1, 2), box({2, 2, 1}, {3, 3, 2})), solid = minus(cube(0, 4), voids);
+  const Triangulated mesh = triangulated(solid);
+  EXPECT_EQ(most_on_one_edge(mesh), 4u);
+  EXPECT_EQ(most_on_one_edge(separated(solid, mesh)), 4u);
+  const Triangulated apart = separated(solid, mesh, Pairing::by_distinct_edges);
+  EXPECT_EQ(most_on_one_edge(apart), 2u);
+  EXPECT_EQ(shells(apart).count, 3u);
+  EXPECT_EQ(shells(apart).genus, 0);
 }
 
 TEST(Examples, CubesThatShareAnEdgeOrAVertex) {
