@@ -52,6 +52,30 @@ struct Body {
   std::span<const std::uint32_t> loop(std::uint32_t j) const {
     return std::span(corners).subspan(loop_corners[j], loop_corners[j + 1] - loop_corners[j]);
   }
+  /// visit(v) for every corner of a face, loop by loop.
+  template <class Visit>
+  void for_corners(std::uint32_t face, Visit&& visit) const {
+    if (face < triangles.size()) {
+      for (std::uint32_t v : triangles[face]) visit(v);
+      return;
+    }
+    const std::size_t p = face - triangles.size();
+    for (std::uint32_t c = loop_corners[polygon_loops[p]]; c < loop_corners[polygon_loops[p + 1]]; ++c) visit(corners[c]);
+  }
+  /// visit(u, v) for every directed edge of a face.
+  template <class Visit>
+  void for_edges(std::uint32_t face, Visit&& visit) const {
+    if (face < triangles.size()) {
+      const auto& t = triangles[face];
+      for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
+      return;
+    }
+    const std::size_t p = face - triangles.size();
+    for (std::uint32_t j = polygon_loops[p]; j < polygon_loops[p + 1]; ++j) {
+      const auto l = loop(j);
+      for (std::size_t i = 0; i < l.size() && l.size() > 1; ++i) visit(l[i], l[i + 1 < l.size() ? i + 1 : 0]);
+    }
+  }
   /// Oriented plane of a face. Precondition: the triangle is not degenerate.
   exact::Plane plane(std::uint32_t face) const;
 };

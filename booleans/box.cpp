@@ -29,12 +29,9 @@ Box face_box(const Body& body, std::uint32_t face) {
   Box box;
   if (face < body.triangles.size()) {
     for (std::uint32_t v : body.triangles[face]) box.add(body.grid_points[v]);
-    return box;
+  } else {
+    body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
   }
-  const auto polygon = face - static_cast<std::uint32_t>(body.triangles.size());
-  const std::uint32_t first = body.loop_corners[body.polygon_loops[polygon]];
-  const std::uint32_t last = body.loop_corners[body.polygon_loops[polygon + 1]];
-  for (std::uint32_t c = first; c < last; ++c) box.add(body.approximation(body.corners[c]));
   return box;
 }
 

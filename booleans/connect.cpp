@@ -5,18 +5,6 @@
 namespace quoin::booleans {
 namespace {
 
-/// visit(v) for every corner of a face.
-template <class Visit>
-void for_corners(const Body& body, std::uint32_t face, Visit&& visit) {
-  if (face < body.triangles.size()) {
-    for (std::uint32_t v : body.triangles[face]) visit(v);
-    return;
-  }
-  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c)
-    visit(body.corners[c]);
-}
-
 class Connector {
  public:
   explicit Connector(Arrangement& a) : a_(a) {}
@@ -36,7 +24,7 @@ class Connector {
     Partition parts(body.vertex_count());
     for_untouched(operand, [&](std::uint32_t f) {
       std::uint32_t first = none;
-      for_corners(body, f, [&](std::uint32_t v) {
+      body.for_corners(f, [&](std::uint32_t v) {
         if (first == none) first = v;
         else parts.unite(first, v);
       });
@@ -44,7 +32,7 @@ class Connector {
     std::vector<std::uint32_t> patch(body.vertex_count(), none);
     for_untouched(operand, [&](std::uint32_t f) {
       std::uint32_t first = none;
-      for_corners(body, f, [&](std::uint32_t v) { first = first == none ? v : first; });
+      body.for_corners(f, [&](std::uint32_t v) { first = first == none ? v : first; });
       assign(operand, f, patch[parts.find(first)]);
     });
   }
@@ -56,7 +44,7 @@ class Connector {
     Partition parts(body.face_count());
     std::vector<std::array<std::uint32_t, 3>> crowded;  // (face, from, to) at edges of more than two faces
     for_untouched(operand, [&](std::uint32_t f) {
-      for_edges(body, f, [&](std::uint32_t u, std::uint32_t v) {
+      body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
         int count = 0;
         std::uint32_t mate = none;
         adjacency->faces_at_edge(u, v, [&](std::uint32_t g, bool forward) {
@@ -100,19 +88,6 @@ class Connector {
     const auto n = static_cast<std::uint32_t>(a_.operands.bodies[operand]->face_count());
     for (std::uint32_t f = 0; f < n; ++f)
       if (untouched(operand, f)) visit(f);
-  }
-  template <class Visit>
-  static void for_edges(const Body& body, std::uint32_t f, Visit&& visit) {
-    if (f < body.triangles.size()) {
-      const auto& t = body.triangles[f];
-      for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
-      return;
-    }
-    const auto p = f - static_cast<std::uint32_t>(body.triangles.size());
-    for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-      const auto loop = body.loop(j);
-      for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
-    }
   }
   void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch) {
     if (patch == none) {

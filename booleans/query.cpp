@@ -20,28 +20,13 @@ Rational value(const exact::Plane& plane, const RationalPoint& p) {
   return r;
 }
 
-/// visit(a, b) for the directed edges of a face.
-template <class Visit>
-void for_face_edges(const Body& body, std::uint32_t face, Visit&& visit) {
-  if (face < body.triangles.size()) {
-    const auto& t = body.triangles[face];
-    for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
-    return;
-  }
-  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-  for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-    const auto loop = body.loop(j);
-    for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
-  }
-}
-
 /// Does the projection of the face along axis k cover the point, shifted by (-eps, -eps^2) in the two other axes (u, v)?
 /// `on_edge` tells whether the point lies on the projection of an edge.
 bool covers(const Body& body, std::uint32_t face, const RationalPoint& p, std::size_t k, bool& on_edge) {
   const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
   bool odd = false;
   on_edge = false;
-  for_face_edges(body, face, [&](std::uint32_t i, std::uint32_t j) {
+  body.for_edges(face, [&](std::uint32_t i, std::uint32_t j) {
     const RationalPoint a = rational(body.point(i)), b = rational(body.point(j));
     const Rational turn = (b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u]);
     if (turn == 0 && p[u] >= std::min(a[u], b[u]) && p[u] <= std::max(a[u], b[u]) && p[v] >= std::min(a[v], b[v]) &&
@@ -95,7 +80,7 @@ namespace {
 std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
   const std::string name = "face " + std::to_string(f);
   bool bad_index = false, short_edge = false;
-  for_face_edges(body, f, [&](std::uint32_t u, std::uint32_t v) {
+  body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
     bad_index = bad_index || u >= body.vertex_count() || v >= body.vertex_count();
     short_edge = short_edge || u == v;
   });
@@ -117,18 +102,19 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
     if (n > exact::coefficient_limit || n < -exact::coefficient_limit) return name + " has a coefficient out of range";
   if (!(exact::reduced_plane(plane.n, plane.d) == plane)) return name + " has a plane that is not reduced";
   if (body.polygon_loops[p] == body.polygon_loops[p + 1]) return name + " has no loop";
-  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c) {
-    const std::uint32_t v = body.corners[c];
-    if (v >= body.vertex_count()) return name + " names a vertex that does not exist";
-    if (exact::side(plane, body.point(v)) != 0) return name + " has a corner off its plane: vertex " + std::to_string(v);
-  }
-  return std::nullopt;
+  std::optional<std::string> message;
+  body.for_corners(f, [&](std::uint32_t v) {
+    if (message) return;
+    if (v >= body.vertex_count()) message = name + " names a vertex that does not exist";
+    else if (exact::side(plane, body.point(v)) != 0) message = name + " has a corner off its plane: vertex " + std::to_string(v);
+  });
+  return message;
 }
 
 std::optional<std::string> balance_fault(const Body& body) {
   std::vector<std::array<std::uint32_t, 3>> edges;  // low, high, forward
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
-    for_face_edges(body, f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({std::min(u, v), std::max(u, v), u < v}); });
+    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({std::min(u, v), std::max(u, v), u < v}); });
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     std::int64_t balance = 0;

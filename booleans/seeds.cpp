@@ -85,13 +85,7 @@ class Seeder {
         const auto at = body.approximation(v);
         if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(operand, v), at);
       };
-      if (face < body.triangles.size()) {
-        for (std::uint32_t v : body.triangles[face]) corner(v);
-        return;
-      }
-      const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-      for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c)
-        corner(body.corners[c]);
+      body.for_corners(face, corner);
     });
   }
 
@@ -140,16 +134,7 @@ class Seeder {
           offer_corner(at, {name(operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
         }
       };
-      if (face < body.triangles.size()) {
-        const auto& t = body.triangles[face];
-        for (std::size_t k = 0; k < 3; ++k) edge(t[k], t[(k + 1) % 3]);
-        return;
-      }
-      const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-      for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-        const auto loop = body.loop(j);
-        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) edge(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
-      }
+      body.for_edges(face, edge);
     });
   }
 
