@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "booleans/arrangement.h"
+#include "booleans/triangle_pair.h"
 #include "exact/rational.h"
 
 namespace quoin::booleans {
@@ -43,18 +44,12 @@ class Canonizer {
 
   void collect_half_edges() {
     edges_.reserve(3 * body_.triangles.size() + body_.corners.size());
-    for (std::uint32_t t = 0; t < body_.triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        edges_.push_back({body_.triangles[t][k], body_.triangles[t][(k + 1) % 3], t, 0, true});
-    for (std::uint32_t p = 0; p < body_.polygon_count(); ++p) {
-      const auto face = static_cast<std::uint32_t>(body_.triangles.size()) + p;
-      for (std::uint32_t j = body_.polygon_loops[p]; j < body_.polygon_loops[p + 1]; ++j) {
-        const auto loop = body_.loop(j);
-        if (loop.size() == 1) isolated_.push_back({face, loop[0]});
-        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
-          edges_.push_back({loop[i], loop[i + 1 < loop.size() ? i + 1 : 0], face, 0, true});
-      }
-    }
+    for (std::uint32_t f = 0; f < body_.face_count(); ++f)
+      body_.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges_.push_back({u, v, f, 0, true}); });
+    for (std::uint32_t p = 0; p < body_.polygon_count(); ++p)
+      for (std::uint32_t j = body_.polygon_loops[p]; j < body_.polygon_loops[p + 1]; ++j)
+        if (const auto loop = body_.loop(j); loop.size() == 1)
+          isolated_.push_back({static_cast<std::uint32_t>(body_.triangles.size()) + p, loop[0]});
     // By undirected edge: a counting sort over the smaller vertex, small sorts within.
     std::vector<std::uint32_t> start(body_.vertex_count() + 1);
     for (const HalfEdge& e : edges_) ++start[std::min(e.from, e.to) + 1];
@@ -86,21 +81,10 @@ class Canonizer {
       const auto normal = [&](const std::array<std::uint32_t, 3>& t) { return exact::plane_through(p(t[0]), p(t[1]), p(t[2])); };
       // Cheap rejection before the planes are reduced.
       for (std::uint32_t v : b)
-        if (exact::sign(volume(a, v)) != 0) return false;
+        if (orientation(p(a[0]), p(a[1]), p(a[2]), p(v)) != 0) return false;
       return *normal(a) == *normal(b);
     }
     return body_.plane(f) == body_.plane(g);
-  }
-
-  /// Six times the volume of a triangle and a vertex; below 2^93.
-  exact::int128 volume(const std::array<std::uint32_t, 3>& t, std::uint32_t v) const {
-    std::array<std::array<std::int64_t, 3>, 3> d{};
-    const exact::GridPoint& o = body_.grid_points[t[0]];
-    const std::array<std::uint32_t, 3> ends{t[1], t[2], v};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) d[i][k] = std::int64_t{body_.grid_points[ends[i]].c[k]} - o.c[k];
-    const auto minor = [&](std::size_t i, std::size_t j) { return exact::int128(d[0][i] * d[1][j] - d[0][j] * d[1][i]); };
-    return minor(1, 2) * d[2][0] + minor(2, 0) * d[2][1] + minor(0, 1) * d[2][2];
   }
 
   /// An edge of exactly two faces on one oriented plane is no edge.
