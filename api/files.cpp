@@ -65,11 +65,11 @@ Result<Format> format_to_read(const std::string& path, std::string_view bytes, s
   return named;
 }
 
-Result<Source> parsed(const std::string& path, std::string_view bytes, Format format) {
+Result<Source> parsed(const std::string& path, std::string_view bytes, Format format, Trust trust) {
   Source source;
   source.name = path;
   if (format == Format::quoin) {
-    auto solid = Solid::from_quoin(without_byte_order_mark(bytes));
+    auto solid = Solid::from_quoin(without_byte_order_mark(bytes), trust);
     if (!solid) return solid.error();
     source.exact = std::move(solid).value();
     return source;
@@ -117,12 +117,12 @@ Result<Format> format_of(std::string_view file_name) {
                std::string(file_name)};
 }
 
-Result<Source> read_source(const std::string& path, std::optional<Format> format) {
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust) {
   const auto bytes = io::read_file(path);
   if (!bytes) return in_file(bytes.error(), path);
   const auto found = format_to_read(path, bytes.value(), format);
   if (!found) return in_file(found.error(), path);
-  auto source = parsed(path, bytes.value(), found.value());
+  auto source = parsed(path, bytes.value(), found.value(), trust);
   if (!source) return in_file(source.error(), path);
   return source;
 }
@@ -157,7 +157,7 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
                                 std::vector<ImportReport>* reports) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    auto source = read_source(path);
+    auto source = read_source(path, std::nullopt, options.trust);
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }

@@ -4,6 +4,7 @@
 
 #include "api/access.h"
 #include "booleans/canonical.h"
+#include "booleans/embedding.h"
 #include "booleans/query.h"
 #include "exact/predicates.h"
 #include "io/quoin.h"
@@ -179,7 +180,7 @@ std::optional<Error> face_fault(const Canonical& form, std::size_t f) {
   return std::nullopt;
 }
 
-/// Every directed edge is balanced by its reverse, and two faces that are alone at an edge lie on different planes.
+/// Every directed edge is balanced by its reverse, and the faces at an edge do not all lie on one plane.
 std::optional<Error> edge_fault(const Canonical& form) {
   struct Edge {
     std::uint32_t low, high;
@@ -197,47 +198,28 @@ std::optional<Error> edge_fault(const Canonical& form) {
   });
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     std::int64_t balance = 0;
-    for (; j < edges.size() && edges[j].key() == edges[i].key(); ++j) balance += edges[j].way;
+    bool flat = true;
+    for (; j < edges.size() && edges[j].key() == edges[i].key(); ++j) {
+      balance += edges[j].way;
+      flat = flat && exact::parallel(form.planes[edges[i].face], form.planes[edges[j].face]);
+    }
     if (balance != 0)
       return bad("the edge between the vertices " + std::to_string(edges[i].low) + " and " +
                      std::to_string(edges[i].high) + " is not balanced by its reverse",
                  face_name(edges[i].face));
-    if (j - i == 2 && exact::parallel(form.planes[edges[i].face], form.planes[edges[i + 1].face]))
-      return bad("face " + std::to_string(edges[i].face) + " goes on beyond an edge: they must be one face",
-                 face_name(edges[i + 1].face));
+    if (flat)
+      return bad("all faces at the edge between the vertices " + std::to_string(edges[i].low) + " and " +
+                     std::to_string(edges[i].high) + " lie on one plane: it is no edge",
+                 face_name(edges[j - 1].face));
   }
   return std::nullopt;
-}
-
-/// Six times the signed volume in doubles, with a bound of its error: below it nothing is claimed.
-bool is_surely_inside_out(const Canonical& form) {
-  double sum = 0, size = 0;
-  std::size_t terms = 0;
-  for (std::size_t f = 0; f < form.face_count(); ++f) {
-    const auto& o = form.vertices[form.corners[form.loop_corners[form.face_loops[f]]]].approximation;
-    for_face_edges(form, f, [&](std::uint32_t i, std::uint32_t j) {
-      const auto &a = form.vertices[i].approximation, &b = form.vertices[j].approximation;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
-        const double x = o[k] * (a[u] * b[v]), y = o[k] * (a[v] * b[u]);
-        sum += x - y;
-        size += std::fabs(x) + std::fabs(y);
-        terms += 3;
-      }
-    });
-  }
-  if (form.full_at_infinity) sum = -sum;
-  return sum < -2 * (static_cast<double>(terms) + 8) * exact::unit_roundoff * size;
 }
 
 std::optional<Error> fault_of(const Canonical& form) {
   if (auto fault = vertex_fault(form)) return fault;
   for (std::size_t f = 0; f < form.face_count(); ++f)
     if (auto fault = face_fault(form, f)) return fault;
-  if (auto fault = edge_fault(form)) return fault;
-  if (is_surely_inside_out(form))
-    return bad("the surface is inside out: what it encloses has a negative volume", "faces");
-  return std::nullopt;
+  return edge_fault(form);
 }
 
 }  // namespace
@@ -261,7 +243,7 @@ std::string Solid::to_quoin() const {
   return io::write_quoin(document);
 }
 
-Result<Solid> Solid::from_quoin(std::string_view text) {
+Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
   auto document = io::read_quoin(text);
   if (!document) return document.error();
   auto lattice = read_lattice(document.value());
@@ -271,6 +253,8 @@ Result<Solid> Solid::from_quoin(std::string_view text) {
   if (auto fault = fault_of(form.value())) return *fault;
   booleans::Body body = booleans::body_of(form.value());
   if (const auto fault = booleans::fault(body)) return bad("the solid is not valid: " + *fault, "faces");
+  if (trust == Trust::nothing)
+    if (const auto fault = booleans::embedding_fault(body)) return bad("the solid is not valid: " + *fault, "faces");
   return Access::solid(Access::grid(std::move(lattice).value()), std::move(body));
 }
 

@@ -62,7 +62,8 @@ class BoxTree {
     if (!levels_.empty()) self(levels_.size() - 1, 0, within_groups, visit);
   }
 
-  /// visit(id) for every item whose box meets the given one.
+  /// visit(id) for every item whose box meets the given one, which the visitor may shrink; boxes that reach further up
+  /// in y come first.
   template <class Visit>
   void meeting(const Box& box, Visit&& visit) const {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
@@ -123,7 +124,11 @@ class BoxTree {
         if (x.box.meets(box)) visit(x.id);
       return;
     }
-    for (std::size_t c = 2 * i; c < std::min(2 * i + 2, width(level - 1)); ++c) descend(level - 1, c, box, visit);
+    const std::size_t l = 2 * i, r = 2 * i + 1;
+    if (r == width(level - 1)) return descend(level - 1, l, box, visit);
+    const bool right_first = levels_[level - 1][r].box.high[1] > levels_[level - 1][l].box.high[1];
+    descend(level - 1, right_first ? r : l, box, visit);
+    descend(level - 1, right_first ? l : r, box, visit);
   }
 
   std::vector<Item> items_;

@@ -21,8 +21,19 @@ std::vector<FaceIdPair> filtered(const std::vector<FaceIdPair>& pairs, Wanted wa
   return r;
 }
 
-/// Do all corners of the face lie strictly on one side of the plane?
-bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face) {
+/// Does the box lie strictly on one side of the plane?
+bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
+  exact::GridPoint lowest{}, highest{};  // along the normal
+  for (std::size_t k = 0; k < 3; ++k) {
+    lowest.c[k] = plane.n[k] < 0 ? box.high[k] : box.low[k];
+    highest.c[k] = plane.n[k] < 0 ? box.low[k] : box.high[k];
+  }
+  return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
+}
+
+/// Do all corners of the face, whose box is given, lie strictly on one side of the plane?
+/// Polygons of many corners are asked for by their boxes alone: "no" is right for both answers.
+bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face, const Box& box) {
   int seen = 0;
   const auto apart = [&](int s) {
     if (s == 0 || s * seen < 0) return false;
@@ -35,7 +46,9 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
     return true;
   }
   const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c) {
+  const std::uint32_t begin = body.loop_corners[body.polygon_loops[p]], end = body.loop_corners[body.polygon_loops[p + 1]];
+  if (end - begin > TouchedFaces::large) return strictly_on_one_side(plane, box);
+  for (std::uint32_t c = begin; c < end; ++c) {
     const std::uint32_t v = body.corners[c];
     if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v])
                                : exact::side(plane, body.points[v - body.grid_points.size()])))
@@ -102,7 +115,7 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
     const auto [o, f] = operands.local(pair[0]);
     const auto [p, g] = operands.local(pair[1]);
     const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
-    return !strictly_on_one_side(a.plane(f), b, g) && !strictly_on_one_side(b.plane(g), a, f);
+    return !strictly_on_one_side(a.plane(f), b, g, boxes[pair[1]]) && !strictly_on_one_side(b.plane(g), a, f, boxes[pair[0]]);
   });
 }
 
@@ -112,6 +125,95 @@ std::vector<FaceIdPair> improper_pairs(const Body& mesh) {
   std::vector<FaceIdPair> pairs;
   BoxTree(std::move(items)).pairs(true, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
   return filtered(pairs, [&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
+}
+
+namespace {
+
+/// Proves that faces of one body meet in common corners and edges only, where one look at a plane is enough.
+class Prover {
+ public:
+  explicit Prover(const Body& body) : body_(body), adjacency_(body), planes_(body.face_count()) {
+    for (std::uint32_t f = 0; f < body.face_count(); ++f) planes_[f] = body.plane(f);
+    for (std::uint32_t f = 0; f < body.face_count(); ++f)
+      if (f >= body.triangles.size())
+        for_points(f, [&](std::uint32_t v) { points_.push_back({v, f}); });
+    std::sort(points_.begin(), points_.end());
+  }
+
+  bool many_corners(std::uint32_t f) const { return corner_count(f) > 3; }
+
+  bool proper(std::uint32_t f, std::uint32_t g) const {
+    if (corner_count(f) > corner_count(g)) std::swap(f, g);
+    return meets_in_common_parts(f, g) || (corner_count(g) <= small && meets_in_common_parts(g, f));
+  }
+
+ private:
+  static constexpr std::size_t small = 16;
+
+  std::size_t corner_count(std::uint32_t f) const {
+    if (f < body_.triangles.size()) return 3;
+    const std::size_t p = f - body_.triangles.size();
+    return body_.loop_corners[body_.polygon_loops[p + 1]] - body_.loop_corners[body_.polygon_loops[p]];
+  }
+  /// visit(v) for the loops of one corner.
+  template <class Visit>
+  void for_points(std::uint32_t f, Visit&& visit) const {
+    const std::size_t p = f - body_.triangles.size();
+    for (std::uint32_t j = body_.polygon_loops[p]; j < body_.polygon_loops[p + 1]; ++j)
+      if (const auto loop = body_.loop(j); loop.size() == 1) visit(loop[0]);
+  }
+  int side(const exact::Plane& plane, std::uint32_t v) const {
+    return body_.is_grid(v) ? exact::side(plane, body_.grid_points[v])
+                            : exact::side(plane, body_.points[v - body_.grid_points.size()]);
+  }
+  bool lists(std::uint32_t face, std::uint32_t v) const {
+    bool found = false;
+    adjacency_.edges_at_vertex(v, [&](std::uint32_t g, std::uint32_t, bool) { found = found || g == face; });
+    return found || std::binary_search(points_.begin(), points_.end(), FaceIdPair{v, face});
+  }
+  bool lists(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
+    bool found = false;
+    adjacency_.faces_at_edge(u, v, [&](std::uint32_t g, bool) { found = found || g == face; });
+    return found;
+  }
+  /// Does f lie on one closed side of g's plane, and does g list all that f has on it? A face that a plane does not
+  /// cross meets it in corners and edges only.
+  bool meets_in_common_parts(std::uint32_t f, std::uint32_t g) const {
+    const exact::Plane& plane = planes_[g];
+    int seen = 0;
+    bool good = true, on_plane = false;
+    body_.for_corners(f, [&](std::uint32_t v) {
+      if (!good) return;
+      const int s = side(plane, v);
+      good = s * seen >= 0 && (s != 0 || lists(g, v));
+      seen = s != 0 ? s : seen;
+      on_plane = on_plane || s == 0;
+    });
+    if (!good || seen == 0) return false;
+    if (!on_plane) return true;
+    body_.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
+      if (good && side(plane, u) == 0 && side(plane, v) == 0) good = lists(g, u, v);
+    });
+    return good;
+  }
+
+  const Body& body_;
+  const Adjacency adjacency_;
+  std::vector<exact::Plane> planes_;
+  std::vector<FaceIdPair> points_;  // (vertex, face), sorted
+};
+
+}  // namespace
+
+std::vector<FaceIdPair> doubtful_pairs(const Body& body) {
+  const Prover prover(body);
+  std::vector<BoxTree::Item> items(body.face_count());
+  for (std::uint32_t f = 0; f < items.size(); ++f) items[f] = {face_box(body, f), f, f};
+  std::vector<FaceIdPair> pairs;
+  for (std::uint32_t f = 0; f < items.size(); ++f)
+    if (prover.many_corners(f)) pairs.push_back({f, f});
+  BoxTree(std::move(items)).pairs(true, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  return filtered(pairs, [&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
 }
 
 }  // namespace quoin::booleans

@@ -17,4 +17,8 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands);
 /// across a shared one. Empty exactly when the triangles are embedded: they meet in common corners and edges only.
 std::vector<FaceIdPair> improper_pairs(const Body& mesh);
 
+/// Pairs of faces of one body that may meet anywhere but in corners and edges that both list: a superset of those that
+/// do. Faces of more than three corners are paired with themselves as well: their loops may cross.
+std::vector<FaceIdPair> doubtful_pairs(const Body& body);
+
 }  // namespace quoin::booleans

@@ -7,9 +7,6 @@
 namespace quoin::booleans {
 namespace {
 
-/// Ids with this bit name a point of the worker's own, not yet in the table.
-constexpr std::uint32_t local_bit = 0x80000000u;
-
 /// A place where the line of two planes meets the boundary of a face.
 struct Stop {
   std::uint32_t vertex;

@@ -5,11 +5,6 @@
 #include <tuple>
 
 namespace quoin::booleans {
-namespace {
-
-constexpr std::uint32_t local_bit = 0x80000000u;
-
-}  // namespace
 
 void Drawing::add_face(std::uint32_t face) {
   const TouchedFace& f = touched_.faces[face];

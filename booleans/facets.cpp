@@ -89,41 +89,71 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 
 }  // namespace
 
-bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) const {
+template <class Visit>
+void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) const {
   const Target& target = targets_[t];
-  bool odd = false;
   if (target.sheet != none) {
     const Sheet& sheet = a_.sheets[target.sheet];
     const SheetEdges& edges = sheet_edges_[target.sheet];
     for (std::uint32_t i = edges.start[target.index]; i < edges.start[target.index + 1]; ++i) {
       const std::uint32_t h = edges.half_edges[i];
-      odd ^= edge_counts(plane, a_.vertices.point(sheet.origin(h)), a_.vertices.point(sheet.target(h)),
-                         a_.planes[sheet.elements[h / 2].line], s);
+      visit(Edge{a_.vertices.point(sheet.origin(h)), a_.vertices.point(sheet.target(h)), a_.planes[sheet.elements[h / 2].line]});
     }
-    return odd;
+    return;
   }
   const auto [operand, face] = a_.operands.local(target.index);
   const Body& body = *a_.operands.bodies[operand];
-  if (face < body.triangles.size()) {
-    const auto& c = body.triangles[face];
-    for (std::size_t k = 0; k < 3; ++k)
-      odd ^= edge_counts(plane, exact::point(body.grid_points[c[k]]), exact::point(body.grid_points[c[(k + 1) % 3]]), plane, s);
+  body.for_edges(face, [&, operand = operand](std::uint32_t u, std::uint32_t w) {
+    exact::Plane line{};
+    if (!body.is_grid(u) || !body.is_grid(w))
+      a_.touched.adjacency[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
+        const exact::Plane q = body.plane(g);
+        if (!exact::parallel(plane, q)) line = q;
+      });
+    visit(Edge{body.point(u), body.point(w), line});
+  });
+}
+
+std::size_t Targets::edge_count(std::uint32_t t) const {
+  const Target& target = targets_[t];
+  if (target.sheet != none) {
+    const auto& start = sheet_edges_[target.sheet].start;
+    return start[target.index + 1] - start[target.index];
+  }
+  const auto [operand, face] = a_.operands.local(target.index);
+  const Body& body = *a_.operands.bodies[operand];
+  if (face < body.triangles.size()) return 3;
+  const std::size_t p = face - body.triangles.size();
+  return body.loop_corners[body.polygon_loops[p + 1]] - body.loop_corners[body.polygon_loops[p]];
+}
+
+const Targets::Searchable& Targets::searchable(std::uint32_t t, const exact::Plane& plane) {
+  if (const auto at = searchable_.find(t); at != searchable_.end()) return at->second;
+  std::vector<Edge> edges;
+  for_edges(t, plane, [&](const Edge& e) { edges.push_back(e); });
+  std::vector<BoxTree::Item> items(edges.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    items[i].id = items[i].group = i;
+    items[i].box.add(edges[i].a.approximation);
+    items[i].box.add(edges[i].b.approximation);
+  }
+  return searchable_.emplace(t, Searchable{std::move(edges), BoxTree(std::move(items))}).first->second;
+}
+
+bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) {
+  bool odd = false;
+  const auto count = [&](const Edge& e) { odd ^= edge_counts(plane, e.a, e.b, e.line, s); };
+  if (edge_count(t) <= TouchedFaces::large) {
+    for_edges(t, plane, count);
     return odd;
   }
-  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-  for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-    const auto loop = body.loop(j);
-    for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) {
-      const std::uint32_t u = loop[i], w = loop[i + 1 < loop.size() ? i + 1 : 0];
-      exact::Plane line{};
-      if (!body.is_grid(u) || !body.is_grid(w))
-        a_.touched.adjacency[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
-          const exact::Plane q = body.plane(g);
-          if (!exact::parallel(plane, q)) line = q;
-        });
-      odd ^= edge_counts(plane, body.point(u), body.point(w), line, s);
-    }
-  }
+  // Only edges that reach v's x and lie beyond its z, at any y, can count.
+  Box beyond;
+  beyond.add(s.v.approximation);
+  beyond.low[1] = INT32_MIN;
+  beyond.high[1] = beyond.high[2] = INT32_MAX;
+  const Searchable& all = searchable(t, plane);
+  all.tree.meeting(beyond, [&](std::uint32_t i) { count(all.edges[i]); });
   return odd;
 }
 

@@ -2,6 +2,8 @@
 /// One view of every facet in space, whether cut or untouched.
 #pragma once
 
+#include <unordered_map>
+
 #include "booleans/arrangement.h"
 
 namespace quoin::booleans {
@@ -27,7 +29,7 @@ struct RayStart {
   Direction d;  // d_x > 0, or d = (0, 0, d_z)
 };
 
-/// All targets of an arrangement with their boxes; edges of sheet facets are indexed once.
+/// All targets of an arrangement with their boxes; edges are indexed once.
 class Targets {
  public:
   explicit Targets(const Arrangement& a);
@@ -40,9 +42,24 @@ class Targets {
   exact::Plane plane(std::uint32_t t, bool& turned) const;
   /// Does the line through s in direction y pass through the target?
   /// Precondition: the plane's normal has a component along y.
-  bool crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) const;
+  /// Facets of many edges are searched through a tree, made when the first ray comes.
+  bool crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s);
 
  private:
+  /// An edge of a facet and another plane through it, left out between grid points.
+  struct Edge {
+    exact::Point a, b;
+    exact::Plane line;
+  };
+  struct Searchable {
+    std::vector<Edge> edges;
+    BoxTree tree;
+  };
+  template <class Visit>
+  void for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) const;
+  std::size_t edge_count(std::uint32_t t) const;
+  const Searchable& searchable(std::uint32_t t, const exact::Plane& plane);
+
   const Arrangement& a_;
   std::vector<Target> targets_;
   std::vector<Box> boxes_;
@@ -50,6 +67,7 @@ class Targets {
     std::vector<std::uint32_t> start, half_edges;  // half-edges by facet
   };
   std::vector<SheetEdges> sheet_edges_;
+  std::unordered_map<std::uint32_t, Searchable> searchable_;  // by target
 };
 
 }  // namespace quoin::booleans

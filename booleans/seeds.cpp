@@ -206,7 +206,7 @@ class Seeder {
 
   /// Finds the nearest target in the ray's way; `better` compares two hits exactly.
   void shoot() {
-    const Targets targets(a_);
+    Targets targets(a_);
     std::optional<BoxTree> tree;
     if (seeds_.size() > 4) {
       std::vector<BoxTree::Item> items(targets.size());
@@ -234,6 +234,7 @@ class Seeder {
         nearest = t;
         nearest_plane = p;
         nearest_turned = turned;
+        ray.low[1] = targets.box(t).low[1];  // nothing below is nearer
       };
       if (tree) {
         tree->meeting(ray, consider);

@@ -13,6 +13,9 @@
 
 namespace quoin::booleans {
 
+/// Vertex ids with this bit name points that a parallel worker keeps until they enter the table.
+inline constexpr std::uint32_t local_bit = 0x80000000u;
+
 /// Distinct planes, each in its canonical orientation.
 class PlaneTable {
  public:

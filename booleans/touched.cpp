@@ -27,7 +27,7 @@ class Collector {
     for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
       if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
       if (f < triangles) flood(f);
-      else begin_face(f, body_.planes[f - triangles]), members_.push_back(f);
+      else begin_face(f, body_.planes[f - triangles]);
       finish_face();
     }
     find_other_planes();
@@ -49,6 +49,7 @@ class Collector {
     face.isolated_begin = static_cast<std::uint32_t>(out_.isolated.size());
     out_.face_of[base_ + f] = static_cast<std::uint32_t>(out_.faces.size());
     out_.faces.push_back(face);
+    members_.push_back(f);
   }
 
   /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
@@ -56,7 +57,6 @@ class Collector {
     const exact::Plane plane = body_.plane(t);
     begin_face(t, plane);
     const auto index = static_cast<std::uint32_t>(out_.faces.size() - 1);
-    members_.push_back(t);
     for (std::size_t i = 0; i < members_.size(); ++i) {
       const auto& c = body_.triangles[members_[i]];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -91,10 +91,8 @@ class Collector {
 
   void finish_face() {
     TouchedFace& face = out_.faces.back();
-    const auto index = static_cast<std::uint32_t>(out_.faces.size() - 1);
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f : members_) {
-      out_.face_of[base_ + f] = index;
       face.box.add(face_box(body_, f));
       if (f < triangles) continue;
       for (std::uint32_t j = body_.polygon_loops[f - triangles]; j < body_.polygon_loops[f - triangles + 1]; ++j) {

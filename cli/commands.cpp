@@ -81,7 +81,7 @@ Result<Operands> load(Session& session, Trust trust) {
   std::vector<Source> sources;
   sources.reserve(a.inputs.size());
   for (const auto& path : a.inputs) {
-    auto source = session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path)); });
+    auto source = session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust); });
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }

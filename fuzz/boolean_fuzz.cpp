@@ -6,6 +6,7 @@
 
 #include "booleans/boolean.h"
 #include "booleans/canonical.h"
+#include "booleans/embedding.h"
 #include "booleans/export.h"
 #include "booleans/measure.h"
 #include "booleans/query.h"
@@ -94,6 +95,7 @@ void check_result(const Body& body) {
   const Body again = body_of(form);
   if (const auto message = fault(again)) fail("canonical bodies are without fault:", *message);
   require(canonical(again) == form, "the canonical form is its own");
+  if (const auto message = embedding_fault(again)) fail("results are clean:", *message);
   require(volume(again) == volume(body), "the canonical form keeps the volume");
   require(canonical(complement(complement(body))) == form, "two complements are none");
   require(combined(Rule::odd, body, again).face_count() == 0, "a body and its canonical form differ nowhere");

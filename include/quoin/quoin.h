@@ -177,8 +177,9 @@ class Solid {
   static Result<Solid> from_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
                                      std::span<const std::uint32_t> corners, const ImportOptions& options = {},
                                      ImportReport* report = nullptr);
-  /// A solid from the text of a .quoin file (docs/format.md). Errors: "bad-quoin" with the line.
-  static Result<Solid> from_quoin(std::string_view text);
+  /// A solid from the text of a .quoin file (docs/format.md). Errors: "bad-quoin" with the line, or with the vertex or
+  /// face that does not fit. `Trust::embedded` skips the proof that faces do not cross and bound a solid.
+  static Result<Solid> from_quoin(std::string_view text, Trust trust = Trust::nothing);
 
   const Grid& grid() const;
   /// The same point set on another grid. Errors: "inexact-grid" (naming a step that would work), "out-of-range".
@@ -284,9 +285,9 @@ struct Source {
 };
 
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
-/// then the extension. Errors: "missing-file", "unreadable", "unknown-format", "truncated", "bad-syntax", "bad-number",
+/// then the extension. `trust` is for .quoin files; meshes are proved by `build`. Errors: "missing-file", "unreadable", "unknown-format", "truncated", "bad-syntax", "bad-number",
 /// "non-finite", "bad-index", "absurd-count", "bad-quoin"; `file` is the path.
-Result<Source> read_source(const std::string& path, std::optional<Format> format = {});
+Result<Source> read_source(const std::string& path, std::optional<Format> format = {}, Trust trust = Trust::nothing);
 
 /// Solids of sources on one common grid, in their order: `options.grid` if given, else that of the exact sources (the
 /// finest one), else the one that fits all meshes together. Exact sources are re-expressed only where that is exact.

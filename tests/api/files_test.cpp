@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/quoin.h"
 #include "tests/api/solids.h"
 
 namespace quoin::api_test {
@@ -82,6 +83,21 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+/// The vertices and faces of two files as one; whether space is full far away is taken from the first.
+std::string both(const std::string& a, const std::string& b) {
+  io::ExactDocument p = io::read_quoin(a).value();
+  const io::ExactDocument q = io::read_quoin(b).value();
+  const auto vertices = static_cast<std::uint32_t>(p.vertices.size());
+  p.vertices.insert(p.vertices.end(), q.vertices.begin(), q.vertices.end());
+  p.planes.insert(p.planes.end(), q.planes.begin(), q.planes.end());
+  for (std::size_t i = 1; i < q.face_loops.size(); ++i)
+    p.face_loops.push_back(p.face_loops[p.face_loops.size() - 1] + q.face_loops[i] - q.face_loops[i - 1]);
+  for (std::size_t i = 1; i < q.loop_corners.size(); ++i)
+    p.loop_corners.push_back(p.loop_corners[p.loop_corners.size() - 1] + q.loop_corners[i] - q.loop_corners[i - 1]);
+  for (std::uint32_t c : q.corners) p.corners.push_back(c + vertices);
+  return io::write_quoin(p);
+}
+
 TEST_F(Files, BadQuoinIsRefused) {
   const std::string good = box({0, 0, 0}, {1, 1, 1}).to_quoin();
   ASSERT_TRUE(Solid::from_quoin(good));
@@ -95,6 +111,13 @@ TEST_F(Files, BadQuoinIsRefused) {
   bad.push_back(replaced(good, "\n1 0 0 -1 1\n", "\n-1 0 0 1 1\n"));  // turned round
   bad.push_back(replaced(good, "infinity empty", "infinity full"));   // inside out
   bad.push_back(replaced(good, "grid 1 ", "grid 2/2 "));
+  bad.push_back(both(good, box({0, 0, 0}, {1, 1, 1}).to_quoin()));   // every point twice
+  const std::string wide = box({0, 0, 0}, {9, 9, 9}).to_quoin();
+  bad.push_back(both(wide, box({1, 1, 1}, {2, 2, 2}).to_quoin()));   // winding number 2
+  bad.push_back(both(wide, box({1, 1, 1}, {10, 2, 2}).to_quoin()));  // crossing faces
+  bad.push_back(both(wide, box({9, 1, 1}, {10, 2, 2}).to_quoin()));  // faces that overlap from both sides
+  EXPECT_TRUE(Solid::from_quoin(both(wide, box({10, 1, 1}, {11, 2, 2}).to_quoin())));
+  EXPECT_TRUE(Solid::from_quoin(both(wide, (~box({1, 1, 1}, {2, 2, 2})).to_quoin())));  // a cavity
   for (const std::string& text : bad) {
     const auto solid = Solid::from_quoin(text);
     ASSERT_FALSE(solid) << text;
