@@ -28,6 +28,7 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
     if (!fitting) return fitting.error();
     grid = fitting.value();
   }
+  if (options.run.stage) options.run.stage("snap, weld, validate");
   auto result = import(Access::lattice(grid));
   if (!result) return result.error();
   grid::ImportedMesh& mesh = result.value();

@@ -13,7 +13,7 @@
 
 namespace quoin {
 
-inline booleans::Run run_of(const Options& options) { return {options.progress, options.cancel}; }
+inline booleans::Run run_of(const Options& options) { return {options.progress, options.cancel, options.stage}; }
 
 /// Runs `work` in the calling thread with so many workers, 0 for all, and returns its value.
 /// TBB says on stderr when it is asked for more than it has.

@@ -12,10 +12,11 @@ namespace {
 class Stages {
  public:
   explicit Stages(const Run& run) : run_(run) {}
-  /// True when the run was cancelled.
-  bool reached(double fraction) const {
+  /// Announces a stage, or the end (no name). False when the run was cancelled.
+  bool begin(const char* name, double fraction) const {
+    if (name && run_.stage) run_.stage(name);
     if (run_.progress) run_.progress(fraction);
-    return run_.cancel && run_.cancel->load(std::memory_order_relaxed);
+    return !run_.cancel || !run_.cancel->load(std::memory_order_relaxed);
   }
 
  private:
@@ -28,12 +29,13 @@ Error cancelled() { return {"cancelled", "the operation was cancelled"}; }
 Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expression, const std::vector<FaceIdPair>& near,
                      Glue glue, const Run& run) {
   const Stages stages(run);
+  if (!stages.begin("merge coplanar", 0.2)) return cancelled();
   Arrangement a(std::move(bodies));
   std::vector<std::uint8_t> touched(a.operands.face_count());
   for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
   a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
   if constexpr (exact::checked) check(a.touched, a.vertices, a.planes);
-  if (stages.reached(0.3)) return cancelled();
+  if (!stages.begin("intersect", 0.3)) return cancelled();
 
   std::vector<FacePair> pairs;
   pairs.reserve(near.size());
@@ -44,28 +46,29 @@ Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expressi
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   const Contacts contacts = find_contacts(a.touched, pairs, a.vertices, a.planes);
-  if (stages.reached(0.5)) return cancelled();
+  if (!stages.begin("subdivide", 0.5)) return cancelled();
 
   a.sheets = draw_sheets(a.touched, contacts, a.vertices, a.planes);
   if constexpr (exact::checked)
     for (const Sheet& s : a.sheets) check(s, a.vertices, a.planes);
-  if (stages.reached(0.7)) return cancelled();
+  if (!stages.begin("connect", 0.7)) return cancelled();
   connect(a, glue);
   if (exact::checked && glue == Glue::vertices) check(a);  // elsewhere an edge also has faces that are glued, not used
+  if (!stages.begin("classify and select", 0.8)) return cancelled();
   const Selection selection = select(a, expression);
   if (!selection.consistent)
     return Error{"inconsistent", "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
-  if (stages.reached(0.9)) return cancelled();
+  if (!stages.begin("assemble", 0.9)) return cancelled();
   Body result = assemble(a, selection);
   if constexpr (exact::checked) check(result);
-  stages.reached(1.0);
+  stages.begin(nullptr, 1.0);
   return result;
 }
 
 }  // namespace
 
 Result<Body> evaluate(std::span<const Body* const> operands, const Expression& expression, const Run& run) {
-  if (Stages(run).reached(0.0)) return cancelled();
+  if (!Stages(run).begin("broad phase", 0.0)) return cancelled();
   std::vector<const Body*> bodies(operands.begin(), operands.end());
   const std::vector<FaceIdPair> near = foreign_pairs(Operands(bodies));
   return arrange(std::move(bodies), expression, near, Glue::vertices, run);
@@ -95,7 +98,7 @@ bool is_simple_surface(const Body& mesh) {
 }  // namespace
 
 Result<Body> resolve(const Body& mesh, std::uint64_t& crossings, const Run& run) {
-  if (Stages(run).reached(0.0)) return cancelled();
+  if (!Stages(run).begin("prove embedding", 0.0)) return cancelled();
   const std::vector<FaceIdPair> near = improper_pairs(mesh);
   crossings = near.size();
   // An embedded connected surface that is not inside out has 1 inside and 0 outside: the door has seen its volume.

@@ -16,6 +16,7 @@ namespace quoin::booleans {
 struct Run {
   std::function<void(double)> progress = {};
   const std::atomic<bool>* cancel = nullptr;
+  std::function<void(const char*)> stage = {};
 };
 
 /// The regular point set where the expression holds. Operands must be clean bodies (B1 - B4); the result is one.

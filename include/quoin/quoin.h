@@ -77,6 +77,8 @@ using Cancel = std::atomic<bool>;
 struct Options {
   Progress progress = {};
   const Cancel* cancel = nullptr;
+  /// Called in the calling thread with the name of each stage as it begins; for profiles.
+  std::function<void(const char*)> stage = {};
   /// Worker threads; 0 takes what the machine has. Results are the same bytes for any number.
   unsigned threads = 0;
 };
