@@ -44,7 +44,7 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
   body.triangles = std::move(mesh.triangles);
   if (options.trust == Trust::embedded) return Access::solid(grid, std::move(body));
   std::uint64_t crossings = 0;
-  auto resolved = booleans::resolve(body, crossings, run_of(options.run));
+  auto resolved = booleans::resolve(std::move(body), crossings, run_of(options.run));
   if (!resolved) return resolved.error();
   if (report) report->resolved_crossings = crossings;
   return Access::solid(grid, std::move(resolved).value());

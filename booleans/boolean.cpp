@@ -76,33 +76,29 @@ Result<Body> evaluate(std::span<const Body* const> operands, const Expression& e
 
 namespace {
 
-/// One surface, connected over edges that all have exactly two faces?
-bool is_simple_surface(const Body& mesh) {
-  const Adjacency adjacency(mesh);
-  Partition parts(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      int count = 0;
-      adjacency.faces_at_edge(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3], [&](std::uint32_t f, bool) {
-        ++count;
-        parts.unite(t, f);
-      });
-      if (count != 2) return false;
-    }
+/// One surface, connected over edges that all have exactly two faces? Where all stars are fans, triangles that hang
+/// together over vertices hang together over such edges.
+bool is_simple_surface(const Body& mesh, const std::vector<Star>& star_of) {
+  if (std::find(star_of.begin(), star_of.end(), Star::other) != star_of.end()) return false;
+  Partition parts(mesh.grid_points.size());
+  for (const auto& t : mesh.triangles) {
+    parts.unite(t[0], t[1]);
+    parts.unite(t[0], t[2]);
   }
-  for (std::uint32_t t = 1; t < mesh.triangles.size(); ++t)
-    if (parts.find(t) != parts.find(0)) return false;
-  return true;
+  const auto first = parts.find(mesh.triangles[0][0]);
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) { return parts.find(t[0]) == first; });
 }
 
 }  // namespace
 
-Result<Body> resolve(const Body& mesh, std::uint64_t& crossings, const Run& run) {
+Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {
   if (!Stages(run).begin("prove embedding", 0.0)) return cancelled();
-  const std::vector<FaceIdPair> near = improper_pairs(mesh);
+  if (mesh.triangles.empty()) return mesh;
+  const std::vector<Star> star_of = stars(mesh);
+  const std::vector<FaceIdPair> near = improper_pairs(mesh, star_of);
   crossings = near.size();
   // An embedded connected surface that is not inside out has 1 inside and 0 outside: the door has seen its volume.
-  if (near.empty() && is_simple_surface(mesh)) return mesh;
+  if (near.empty() && is_simple_surface(mesh, star_of)) return mesh;
   Expression itself;
   itself.add({Rule::operand, false, 0, none});
   Result<Body> solved = arrange({&mesh}, itself, near, Glue::edges, run);

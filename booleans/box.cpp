@@ -35,7 +35,7 @@ Box face_box(const Body& body, std::uint32_t face) {
   return box;
 }
 
-BoxTree::BoxTree(std::vector<Item> items) {
+BoxTree::BoxTree(const std::vector<Item>& items) {
   if (items.empty()) return;
   Box all;
   for (const Item& x : items) all.add(x.box);
@@ -55,28 +55,24 @@ BoxTree::BoxTree(std::vector<Item> items) {
     order[i] = {key, i};
   }
   radix_sort(order);
-  items_.reserve(items.size());
-  for (const auto& o : order) items_.push_back(items[o.second]);
-
-  std::vector<Node> level((items_.size() + bucket - 1) / bucket);
-  for (std::size_t i = 0; i < level.size(); ++i) {
-    level[i].group = leaf(i)[0].group;
-    for (const Item& x : leaf(i)) {
-      level[i].box.add(x.box);
-      if (x.group != level[i].group) level[i].group = mixed;
-    }
-  }
-  levels_.push_back(std::move(level));
-  while (width(levels_.size() - 1) > 1) {
-    const std::vector<Node>& below = levels_.back();
-    std::vector<Node> above((below.size() + 1) / 2);
-    for (std::size_t i = 0; i < above.size(); ++i) {
-      above[i] = below[2 * i];
-      if (2 * i + 1 == below.size()) continue;
-      above[i].box.add(below[2 * i + 1].box);
-      if (below[2 * i + 1].group != above[i].group) above[i].group = mixed;
-    }
-    levels_.push_back(std::move(above));
+  ids_.reserve(items.size());
+  for (const auto& o : order) ids_.push_back(items[o.second].id);
+  levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made
+  add_level(items.size(), [&](std::size_t i) { return items[order[i].second].box; },
+            [&](std::size_t i) { return items[order[i].second].group; });
+  while (levels_.back().blocks.size() > 1) {
+    const Level& below = levels_.back();
+    const auto lanes = [&](std::size_t i) { return std::min<std::size_t>(BoxBlock::width, below.group.size() - i * BoxBlock::width); };
+    const auto box = [&](std::size_t i) {
+      Box sum;
+      for (std::uint32_t lane = 0; lane < lanes(i); ++lane) sum.add(below.blocks[i].box(lane));
+      return sum;
+    };
+    const auto group = [&](std::size_t i) {
+      const auto first = below.group.begin() + static_cast<std::ptrdiff_t>(i * BoxBlock::width);
+      return std::all_of(first, first + static_cast<std::ptrdiff_t>(lanes(i)), [&](std::uint32_t g) { return g == *first; }) ? *first : mixed;
+    };
+    add_level(below.blocks.size(), box, group);
   }
 }
 

@@ -90,6 +90,34 @@ bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
   return false;
 }
 
+/// Triangles that share a vertex whose star is embedded meet as they should: nearly all pairs are of this kind.
+class NeighbourMask {
+ public:
+  NeighbourMask(const Body& mesh, const std::vector<Star>& star_of, const std::vector<std::uint32_t>& order)
+      : corners_((order.size() + BoxBlock::width - 1) / BoxBlock::width) {
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = mesh.triangles[order[i]][k];
+        // Other vertices get a name that no triangle has twice.
+        corners_[i / BoxBlock::width][k][i % BoxBlock::width] =
+            star_of[v] == Star::embedded ? v : none - static_cast<std::uint32_t>(i);
+      }
+  }
+  /// The lanes of block b that are neighbours of the i-th triangle.
+  unsigned operator()(std::uint32_t i, std::uint32_t b) const {
+    const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
+    unsigned r = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t m = 0; m < 3; ++m) r |= lanes_equal(others[m], own[k][i % BoxBlock::width]);
+    return r;
+  }
+
+ private:
+  using Block = std::array<std::array<std::uint32_t, BoxBlock::width>, 3>;
+
+  std::vector<Block> corners_;
+};
+
 }  // namespace
 
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
@@ -110,7 +138,7 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
       if (near) items.push_back({boxes[f], f, o});
     }
   std::vector<FaceIdPair> pairs;
-  BoxTree(std::move(items)).pairs(false, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  BoxTree(items).foreign_pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
   return filtered(pairs, [&](const FaceIdPair& pair) {
     const auto [o, f] = operands.local(pair[0]);
     const auto [p, g] = operands.local(pair[1]);
@@ -119,11 +147,13 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   });
 }
 
-std::vector<FaceIdPair> improper_pairs(const Body& mesh) {
+std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
   std::vector<BoxTree::Item> items(mesh.triangles.size());
   for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {face_box(mesh, t), t, t};
   std::vector<FaceIdPair> pairs;
-  BoxTree(std::move(items)).pairs(true, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  const BoxTree tree(items);
+  const NeighbourMask neighbours(mesh, star_of, tree.ids());
+  tree.pairs_but(neighbours, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
   return filtered(pairs, [&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
 }
 
@@ -212,7 +242,7 @@ std::vector<FaceIdPair> doubtful_pairs(const Body& body) {
   std::vector<FaceIdPair> pairs;
   for (std::uint32_t f = 0; f < items.size(); ++f)
     if (prover.many_corners(f)) pairs.push_back({f, f});
-  BoxTree(std::move(items)).pairs(true, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  BoxTree(items).pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
   return filtered(pairs, [&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
 }
 

@@ -69,7 +69,7 @@ void Drawing::close_pairs(Visit visit) const {
     items[i].box.add(vertices_.approximation(a));
     items[i].box.add(vertices_.approximation(b));
   }
-  BoxTree(std::move(items)).pairs(true, [&](std::uint32_t i, std::uint32_t j) {
+  BoxTree(items).pairs([&](std::uint32_t i, std::uint32_t j) {
     if (i > j) std::swap(i, j);
     if (i < n) visit(i, j);
   });

@@ -137,7 +137,7 @@ const Targets::Searchable& Targets::searchable(std::uint32_t t, const exact::Pla
     items[i].box.add(edges[i].a.approximation);
     items[i].box.add(edges[i].b.approximation);
   }
-  return searchable_.emplace(t, Searchable{std::move(edges), BoxTree(std::move(items))}).first->second;
+  return searchable_.emplace(t, Searchable{std::move(edges), BoxTree(items)}).first->second;
 }
 
 bool Targets::crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s) {

@@ -211,7 +211,7 @@ class Seeder {
     if (seeds_.size() > 4) {
       std::vector<BoxTree::Item> items(targets.size());
       for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets.box(t), t, t};
-      tree.emplace(std::move(items));
+      tree.emplace(items);
     }
     for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
       const RayStart start{point(extreme_[c].name), direction_[c]};

@@ -196,7 +196,7 @@ TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>
       box.add(vertices.approximation(out.edges[e].to));
       items.push_back({box, e, e});
     }
-    out.edge_tree[i] = std::make_unique<BoxTree>(std::move(items));
+    out.edge_tree[i] = std::make_unique<BoxTree>(items);
   }
   return out;
 }
