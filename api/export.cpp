@@ -7,6 +7,7 @@
 #include "api/access.h"
 #include "booleans/export.h"
 #include "exact/predicates.h"
+#include "grid/balance.h"
 
 namespace quoin {
 
@@ -39,11 +40,25 @@ std::vector<double> rounded_points(const Body& body, const grid::Lattice& lattic
   return points;
 }
 
+/// The outward normal of a face, of any length; components below 2^62.
+using Normal = std::array<std::int64_t, 3>;
+
+Normal normal(const Body& body, std::uint32_t face) {
+  if (face >= body.triangles.size()) return body.planes[face - body.triangles.size()].n;
+  const auto& t = body.triangles[face];
+  std::array<std::array<std::int64_t, 3>, 2> e{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 2; ++i) e[i][k] = std::int64_t{body.grid_points[t[i + 1]].c[k]} - body.grid_points[t[0]].c[k];
+  Normal n{};
+  for (std::size_t k = 0; k < 3; ++k) n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
+  return n;
+}
+
 /// What rounding did to one triangle.
 enum class Effect { none, flipped, collapsed };
 
-/// The exact answer: the rounded corners and the plane as rationals.
-Effect exact_effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
+/// The exact answer: the rounded corners and the normal as rationals.
+Effect exact_effect(const std::array<Corner, 3>& c, const Normal& normal) {
   std::array<std::array<Rational, 3>, 3> p;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) p[i][k] = exact::to_rational(c[i][k]);
@@ -51,9 +66,9 @@ Effect exact_effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
   bool zero = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const Rational normal = (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
-    zero = zero && normal == 0;
-    dot += normal * plane.n[k];
+    const Rational cross = (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
+    zero = zero && cross == 0;
+    dot += cross * normal[k];
   }
   return zero ? Effect::collapsed : dot < 0 ? Effect::flipped : Effect::none;
 }
@@ -63,7 +78,7 @@ Effect exact_effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
 /// terms' true sizes the error is below 8.01 u S, and S as computed is at least (1 - 8.01 u) S: 16 u S bounds it.
 /// Edges within 2^+-300 keep products from overflow; a product that underflows is wrong by 2^-1074 at most, below the
 /// bound's second term.
-Effect effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
+Effect effect(const std::array<Corner, 3>& c, const Normal& normal) {
   Corner e, f;
   double largest_e = 0, largest_f = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -73,34 +88,35 @@ Effect effect(const std::array<Corner, 3>& c, const exact::Plane& plane) {
     largest_f = std::max(largest_f, std::fabs(f[k]));
   }
   const auto ordinary = [](double x) { return x > 0x1p-300 && x < 0x1p300; };
-  if (!ordinary(largest_e) || !ordinary(largest_f)) return exact_effect(c, plane);
+  if (!ordinary(largest_e) || !ordinary(largest_f)) return exact_effect(c, normal);
   double dot = 0, size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double n = static_cast<double>(plane.n[k]), x = e[i] * f[j], y = e[j] * f[i];
+    const double n = static_cast<double>(normal[k]), x = e[i] * f[j], y = e[j] * f[i];
     dot += n * (x - y);
     size += std::fabs(n) * (std::fabs(x) + std::fabs(y));
   }
   const double bound = 16 * exact::unit_roundoff * (size + 0x1p-60 * largest_e * largest_f);
   if (dot > bound) return Effect::none;
   if (dot < -bound) return Effect::flipped;
-  return exact_effect(c, plane);
+  return exact_effect(c, normal);
 }
 
 struct Effects {
   std::uint64_t flipped = 0, collapsed = 0;
 };
 
-Effects count_effects(const Body& body, const Triangulated& mesh, const std::vector<double>& points) {
+/// `first`: the triangles before it are not changed by rounding.
+Effects count_effects(const Body& body, const Triangulated& mesh, const std::vector<double>& points, std::size_t first) {
   using Range = tbb::blocked_range<std::size_t>;
   return tbb::parallel_reduce(
-      Range(0, mesh.triangles.size(), 1024), Effects{},
+      Range(first, mesh.triangles.size(), 1024), Effects{},
       [&](const Range& range, Effects sum) {
         for (std::size_t t = range.begin(); t < range.end(); ++t) {
           std::array<Corner, 3> c;
           for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.triangles[t][i]} + k];
-          const Effect found = effect(c, body.plane(mesh.face[t]));
+          const Effect found = effect(c, normal(body, mesh.face[t]));
           sum.flipped += found == Effect::flipped;
           sum.collapsed += found == Effect::collapsed;
         }
@@ -111,34 +127,6 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
       });
 }
 
-/// Whether every directed edge is balanced by its reverse. Edges are gathered at their lower vertices.
-bool is_closed(const Triangulated& mesh) {
-  std::vector<std::uint32_t> start(mesh.source.size() + 1);
-  const auto for_edges = [&](auto&& visit) {
-    for (const auto& t : mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t u = t[i], v = t[(i + 1) % 3];
-        visit(std::min(u, v), std::max(u, v), u < v ? 1 : -1);
-      }
-  };
-  for_edges([&](std::uint32_t low, std::uint32_t, int) { ++start[low + 1]; });
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<std::pair<std::uint32_t, int>> edges(start.back());
-  auto at = start;
-  for_edges([&](std::uint32_t low, std::uint32_t high, int way) { edges[at[low]++] = {high, way}; });
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
-    const auto first = edges.begin() + start[v], last = edges.begin() + start[v + 1];
-    std::sort(first, last);
-    for (auto i = first; i != last;) {
-      std::int64_t balance = 0;
-      const std::uint32_t high = i->first;
-      for (; i != last && i->first == high; ++i) balance += i->second;
-      if (balance != 0) return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report) const {
@@ -147,7 +135,7 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   if (body.full_at_infinity)
     return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
   Triangulated mesh = booleans::triangulated(body);
-  if (options.topology == Topology::manifold) mesh = booleans::separated(body, mesh, booleans::Pairing::by_distinct_edges);
+  if (options.topology == Topology::manifold) mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
   Mesh out;
   out.points = rounded_points(body, Access::lattice(*this), mesh.source, options.float32);
   if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
@@ -156,8 +144,10 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   out.triangles.reserve(3 * mesh.triangles.size());
   for (const auto& t : mesh.triangles) out.triangles.insert(out.triangles.end(), t.begin(), t.end());
   if (report) {
-    const Effects effects = count_effects(body, mesh, out.points);
-    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed, is_closed(mesh)};
+    // Raw triangles come first.
+    const bool exact = !options.float32 && grid::Rounder(Access::lattice(*this)).is_exact();
+    const Effects effects = count_effects(body, mesh, out.points, exact ? body.triangles.size() : 0);
+    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed, grid::is_balanced(mesh.triangles, mesh.source.size())};
   }
   return out;
 }

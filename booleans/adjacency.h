@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "booleans/body.h"
@@ -12,22 +13,33 @@ namespace quoin::booleans {
 /// Incidence of one body: triangles by counting, polygon edges by sorting. The body must outlive it.
 class Adjacency {
  public:
+  /// Of all vertices.
   explicit Adjacency(const Body& body);
+  /// Of the marked vertices only, and of their edges.
+  Adjacency(const Body& body, std::vector<std::uint8_t> marked);
 
-  /// visit(face, forward) for every face with the edge {u, v}; forward: the face runs from u to v.
+  bool is_complete() const { return marked_.empty(); }
+  bool knows(std::uint32_t v) const { return is_complete() || marked_[v]; }
+
+  /// visit(face, forward) for every face with the edge {u, v}, one end of which is known; forward: the face runs from u
+  /// to v.
   template <class Visit>
   void faces_at_edge(std::uint32_t u, std::uint32_t v, Visit&& visit) const {
-    for_triangles(u, [&](std::uint32_t t, std::size_t corner) {
+    assert(knows(u) || knows(v));
+    const bool turned = !knows(u);
+    const std::uint32_t at = turned ? v : u, to = turned ? u : v;
+    for_triangles(at, [&](std::uint32_t t, std::size_t corner) {
       const auto& c = body_.triangles[t];
-      if (c[(corner + 1) % 3] == v) visit(t, true);
-      if (c[(corner + 2) % 3] == v) visit(t, false);
+      if (c[(corner + 1) % 3] == to) visit(t, !turned);
+      if (c[(corner + 2) % 3] == to) visit(t, turned);
     });
-    for_polygon_edges(u, [&](const PolygonEdge& e) {
-      if (e.to == v) visit(e.face, e.forward);
+    for_polygon_edges(at, [&](const PolygonEdge& e) {
+      if (e.to == to) visit(e.face, e.forward != turned);
     });
   }
 
-  /// visit(face, w, forward) for every edge {v, w} of every face at vertex v; forward: the face runs from v to w.
+  /// visit(face, w, forward) for every edge {v, w} of every face at the known vertex v; forward: the face runs from v
+  /// to w.
   template <class Visit>
   void edges_at_vertex(std::uint32_t v, Visit&& visit) const {
     for_triangles(v, [&](std::uint32_t t, std::size_t corner) {
@@ -56,6 +68,7 @@ class Adjacency {
   }
 
   const Body& body_;
+  std::vector<std::uint8_t> marked_;           // empty: all
   std::vector<std::uint32_t> start_, corner_;  // triangle corners (3 t + k) by vertex
   std::vector<PolygonEdge> edges_;             // both directions, sorted
 };

@@ -17,30 +17,36 @@ class Assembler {
   Body run() {
     body_.full_at_infinity = s_.full_at_infinity;
     place_of_.resize(a_.operands.bodies.size());
+    raw_of_.resize(a_.operands.bodies.size());
+    raw_of_table_.assign(a_.vertices.size(), none);
+    table_place_.assign(a_.vertices.size(), none);
+    keep_raw();
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
-    keep_untouched();
+    keep_polygons();
     drop_vertices();
     emit();
     return std::move(body_);
   }
 
  private:
-  // While faces are collected a corner is an index into places_: first come, first named.
+  // The corners of untouched raw triangles come first and have their names at once. While other faces are collected
+  // a corner is an index into places_: first come, first named.
   struct Place {
     std::uint32_t operand;  // none: a table vertex
     std::uint32_t vertex;
+    std::uint32_t raw;  // its name when a raw triangle uses it
     std::uint32_t neighbours[2] = {none, none};
-    bool fixed = false;   // a raw triangle uses it, or it has more than two neighbours
-    bool used = false;    // on a loop of at least two corners, or on a raw triangle
+    bool fixed;  // a raw triangle uses it, or it has more than two neighbours
+    bool used;   // on a loop of at least two corners, or on a raw triangle
   };
+  std::uint32_t new_place(std::uint32_t operand, std::uint32_t v, std::uint32_t raw) {
+    places_.push_back({operand, v, raw, {none, none}, raw != none, raw != none});
+    return static_cast<std::uint32_t>(places_.size() - 1);
+  }
 
   std::uint32_t table_place(std::uint32_t v) {
-    if (table_place_.size() < a_.vertices.size()) table_place_.resize(a_.vertices.size(), none);
     std::uint32_t& p = table_place_[v];
-    if (p == none) {
-      p = static_cast<std::uint32_t>(places_.size());
-      places_.push_back({none, v});
-    }
+    if (p == none) p = new_place(none, v, raw_of_table_[v]);
     return p;
   }
   std::uint32_t place(std::uint32_t operand, std::uint32_t v) {
@@ -48,11 +54,37 @@ class Assembler {
     if (!table.empty() && table[v] != none) return table_place(table[v]);
     auto& own = place_of_[operand];
     if (own.empty()) own.assign(a_.operands.bodies[operand]->vertex_count(), none);
-    if (own[v] == none) {
-      own[v] = static_cast<std::uint32_t>(places_.size());
-      places_.push_back({operand, v});
-    }
+    if (own[v] == none) own[v] = new_place(operand, v, v < raw_of_[operand].size() ? raw_of_[operand][v] : none);
     return own[v];
+  }
+
+  /// The untouched raw triangles that stay.
+  void keep_raw() {
+    std::size_t count = 0;
+    for (const std::uint32_t patch : a_.patch_of) count += patch != none && s_.kept[patch] != 0;  // polygons among them
+    body_.triangles.reserve(count);
+    body_.grid_points.reserve(count / 2 + 16);
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+      const Body& body = *a_.operands.bodies[o];
+      const std::uint32_t* const patch = a_.patch_of.data() + a_.operands.base[o];
+      const auto& table = a_.touched.vertex_of[o];
+      raw_of_[o].assign(body.grid_points.size(), none);
+      for (std::uint32_t f = 0; f < body.triangles.size(); ++f) {
+        if (patch[f] == none || s_.kept[patch[f]] == 0) continue;
+        auto t = body.triangles[f];
+        if (s_.kept[patch[f]] < 0) std::swap(t[1], t[2]);
+        for (std::uint32_t& v : t) {
+          const bool in_table = !table.empty() && table[v] != none;
+          std::uint32_t& raw = in_table ? raw_of_table_[table[v]] : raw_of_[o][v];
+          if (raw == none) {
+            raw = static_cast<std::uint32_t>(body_.grid_points.size());
+            body_.grid_points.push_back(body.grid_points[v]);
+          }
+          v = raw;
+        }
+        body_.triangles.push_back(t);
+      }
+    }
   }
 
   /// Kept facets of one sheet: regions that hang together over cancelled elements.
@@ -127,25 +159,13 @@ class Assembler {
     r.loop_ends.push_back(static_cast<std::uint32_t>(r.corners.size()));
   }
 
-  void keep_untouched() {
+  void keep_polygons() {
     for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
       const Body& body = *a_.operands.bodies[o];
-      const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
-      for (std::uint32_t f = 0; f < body.face_count(); ++f) {
-        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + f];
+      for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
+        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + body.triangles.size() + p];
         if (patch == none || s_.kept[patch] == 0) continue;
         const bool turn = s_.kept[patch] < 0;
-        if (f < triangles) {
-          std::array<std::uint32_t, 3> t = body.triangles[f];
-          if (turn) std::swap(t[1], t[2]);
-          for (std::uint32_t& v : t) {
-            v = place(o, v);
-            places_[v].fixed = places_[v].used = true;
-          }
-          body_.triangles.push_back(t);
-          continue;
-        }
-        const std::uint32_t p = f - triangles;
         Region r{turn ? body.planes[p].opposite() : body.planes[p], {}, {}};
         for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
           loop_.clear();
@@ -204,15 +224,14 @@ class Assembler {
   void emit() {
     std::vector<std::uint32_t> id(places_.size(), none);
     std::vector<std::uint8_t> needed(places_.size());
-    for (const auto& t : body_.triangles)
-      for (std::uint32_t p : t) needed[p] = 1;
     for (const Region& r : regions_)
       for (std::uint32_t p : r.corners) needed[p] = 1;
     for (const bool grid : {true, false}) {
       for (std::uint32_t i = 0; i < places_.size(); ++i) {
         const Place& p = places_[i];
         if (!needed[i] || is_grid(p) != grid) continue;
-        id[i] = static_cast<std::uint32_t>(body_.vertex_count());
+        id[i] = p.raw != none ? p.raw : static_cast<std::uint32_t>(body_.vertex_count());
+        if (p.raw != none) continue;
         if (grid) {
           body_.grid_points.push_back(p.operand == none ? a_.vertices.grid_point(p.vertex)
                                                         : a_.operands.bodies[p.operand]->grid_points[p.vertex]);
@@ -221,8 +240,6 @@ class Assembler {
         }
       }
     }
-    for (auto& t : body_.triangles)
-      for (std::uint32_t& p : t) p = id[p];
     const auto grid_count = static_cast<std::uint32_t>(body_.grid_points.size());
     for (const Region& r : regions_) {
       if (r.loop_ends.size() == 1 && r.corners.size() == 3 &&
@@ -245,6 +262,8 @@ class Assembler {
   std::vector<Place> places_;
   std::vector<std::uint32_t> table_place_;
   std::vector<std::vector<std::uint32_t>> place_of_;  // per operand, for vertices outside the table
+  std::vector<std::uint32_t> raw_of_table_;           // names of corners of raw triangles
+  std::vector<std::vector<std::uint32_t>> raw_of_;
   std::vector<Region> regions_;
   std::vector<std::uint32_t> loop_;
   std::vector<std::uint8_t> touching_;

@@ -78,6 +78,12 @@ struct Body {
   }
   /// Oriented plane of a face. Precondition: the triangle is not degenerate.
   exact::Plane plane(std::uint32_t face) const;
+  /// The same, of a raw triangle not reduced: for signs.
+  exact::Plane sign_plane(std::uint32_t face) const {
+    if (face >= triangles.size()) return planes[face - triangles.size()];
+    const auto& t = triangles[face];
+    return exact::spanned_plane(grid_points[t[0]], grid_points[t[1]], grid_points[t[2]]);
+  }
 };
 
 /// The complement: every face turned round, the value at infinity inverted.

@@ -26,11 +26,10 @@ class Stages {
 Error cancelled() { return {"cancelled", "the operation was cancelled"}; }
 
 /// Everything after the broad phase.
-Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expression, const std::vector<FaceIdPair>& near,
-                     Glue glue, const Run& run) {
+Result<Body> arrange(Arrangement a, const Expression& expression, const std::vector<FaceIdPair>& near, Glue glue,
+                     const Run& run) {
   const Stages stages(run);
   if (!stages.begin("merge coplanar", 0.2)) return cancelled();
-  Arrangement a(std::move(bodies));
   std::vector<std::uint8_t> touched(a.operands.face_count());
   for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
   a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
@@ -69,9 +68,9 @@ Result<Body> arrange(std::vector<const Body*> bodies, const Expression& expressi
 
 Result<Body> evaluate(std::span<const Body* const> operands, const Expression& expression, const Run& run) {
   if (!Stages(run).begin("broad phase", 0.0)) return cancelled();
-  std::vector<const Body*> bodies(operands.begin(), operands.end());
-  const std::vector<FaceIdPair> near = foreign_pairs(Operands(bodies));
-  return arrange(std::move(bodies), expression, near, Glue::vertices, run);
+  Arrangement a({operands.begin(), operands.end()});
+  const std::vector<FaceIdPair> near = foreign_pairs(a.operands);
+  return arrange(std::move(a), expression, near, Glue::vertices, run);
 }
 
 namespace {
@@ -101,7 +100,7 @@ Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {
   if (near.empty() && is_simple_surface(mesh, star_of)) return mesh;
   Expression itself;
   itself.add({Rule::operand, false, 0, none});
-  Result<Body> solved = arrange({&mesh}, itself, near, Glue::edges, run);
+  Result<Body> solved = arrange(Arrangement({&mesh}), itself, near, Glue::edges, run);
   if (!solved) return solved;
   return body_of(canonical(solved.value()));  // joins cut faces with untouched ones of their plane (B4)
 }

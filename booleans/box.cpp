@@ -25,16 +25,6 @@ void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
 
 }  // namespace
 
-Box face_box(const Body& body, std::uint32_t face) {
-  Box box;
-  if (face < body.triangles.size()) {
-    for (std::uint32_t v : body.triangles[face]) box.add(body.grid_points[v]);
-  } else {
-    body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
-  }
-  return box;
-}
-
 BoxTree::BoxTree(const std::vector<Item>& items) {
   if (items.empty()) return;
   Box all;

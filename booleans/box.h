@@ -47,7 +47,14 @@ struct Box {
   }
 };
 
-Box face_box(const Body& body, std::uint32_t face);
+inline Box face_box(const Body& body, std::uint32_t face) {
+  Box box;
+  if (face < body.triangles.size())
+    for (std::uint32_t v : body.triangles[face]) box.add(body.grid_points[v]);
+  else
+    body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
+  return box;
+}
 
 /// Eight boxes side by side, compared with one box at a time. Lanes that are not used meet nothing.
 struct BoxBlock {

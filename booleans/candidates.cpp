@@ -31,9 +31,14 @@ bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
   return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
 }
 
-/// Do all corners of the face, whose box is given, lie strictly on one side of the plane?
-/// Polygons of many corners are asked for by their boxes alone: "no" is right for both answers.
-bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face, const Box& box) {
+std::uint32_t corner_count(const Body& body, std::uint32_t face) {
+  if (face < body.triangles.size()) return 3;
+  const std::size_t p = face - body.triangles.size();
+  return body.loop_corners[body.polygon_loops[p + 1]] - body.loop_corners[body.polygon_loops[p]];
+}
+
+/// Do all corners of the face lie strictly on one side of the plane?
+bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face) {
   int seen = 0;
   const auto apart = [&](int s) {
     if (s == 0 || s * seen < 0) return false;
@@ -45,10 +50,8 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
       if (!apart(exact::side(plane, body.grid_points[v]))) return false;
     return true;
   }
-  const auto p = face - static_cast<std::uint32_t>(body.triangles.size());
-  const std::uint32_t begin = body.loop_corners[body.polygon_loops[p]], end = body.loop_corners[body.polygon_loops[p + 1]];
-  if (end - begin > TouchedFaces::large) return strictly_on_one_side(plane, box);
-  for (std::uint32_t c = begin; c < end; ++c) {
+  const std::size_t p = face - body.triangles.size();
+  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c) {
     const std::uint32_t v = body.corners[c];
     if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v])
                                : exact::side(plane, body.points[v - body.grid_points.size()])))
@@ -120,31 +123,128 @@ class NeighbourMask {
 
 }  // namespace
 
+namespace {
+
+/// Drops items that share no cell of a uniform grid with an item of another group. `work` bounds the number of cells and
+/// the number of cells that all boxes take together: cells are as fine as that allows.
+class CellFilter {
+ public:
+  CellFilter(const std::vector<BoxTree::Item>& items, std::size_t work) {
+    if (items.empty()) return;
+    for (const BoxTree::Item& i : items) all_.add(i.box);
+    while (cell_count() > std::min(work, std::size_t{1} << 21)) ++shift_;
+    while (shift_ < 31 && coverage(items) > work) ++shift_;
+    owner_.assign(cell_count(), none);
+    for (const BoxTree::Item& i : items)
+      for_cells(i.box, [&](std::uint32_t& owner) {
+        if (owner == none) owner = i.group;
+        else if (owner != i.group) owner = mixed;
+        return true;
+      });
+  }
+  bool keeps(const Box& box) {
+    bool found = false;
+    for_cells(box, [&](std::uint32_t owner) { return !(found = owner == mixed); });
+    return found;
+  }
+
+ private:
+  static constexpr std::uint32_t mixed = none - 1;
+
+  std::uint32_t cell(std::size_t k, std::int32_t x) const {
+    return static_cast<std::uint32_t>(std::int64_t{x} - all_.low[k]) >> shift_;
+  }
+  std::size_t cell_count() const {
+    std::size_t n = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      n *= std::size_t{cell(k, all_.high[k])} + 1;
+      if (n > std::size_t{1} << 32) break;
+    }
+    return n;
+  }
+  std::size_t coverage(const std::vector<BoxTree::Item>& items) const {
+    std::size_t sum = 0;
+    for (const BoxTree::Item& i : items) {
+      std::size_t n = 1;
+      for (std::size_t k = 0; k < 3; ++k) n *= std::size_t{cell(k, i.box.high[k])} - cell(k, i.box.low[k]) + 1;
+      sum += n;
+    }
+    return sum;
+  }
+  /// visit(owner) until it returns false.
+  template <class Visit>
+  void for_cells(const Box& box, Visit&& visit) {
+    std::array<std::uint32_t, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = cell(k, box.low[k]);
+      high[k] = cell(k, box.high[k]);
+    }
+    const std::size_t ny = cell(1, all_.high[1]) + std::size_t{1}, nx = cell(0, all_.high[0]) + std::size_t{1};
+    for (std::size_t z = low[2]; z <= high[2]; ++z)
+      for (std::size_t y = low[1]; y <= high[1]; ++y)
+        for (std::size_t x = low[0]; x <= high[0]; ++x)
+          if (!visit(owner_[(z * ny + y) * nx + x])) return;
+  }
+
+  Box all_;
+  int shift_ = 0;
+  std::vector<std::uint32_t> owner_;  // the group of the items in each cell, none or mixed
+};
+
+/// Drops what cannot meet anything of another group.
+class NearFilter {
+ public:
+  explicit NearFilter(const Operands& operands) : bounds_(operands.bodies.size()) {
+    for (const Chunk& c : operands.chunks) bounds_[c.operand].add(c.box);
+  }
+  void add(std::vector<BoxTree::Item>& items, const BoxTree::Item& item) const {
+    bool near = bounds_.size() > few;
+    for (std::uint32_t o = 0; o < bounds_.size() && !near; ++o) near = o != item.group && item.box.meets(bounds_[o]);
+    if (near) items.push_back(item);
+  }
+  static void by_cells(std::vector<BoxTree::Item>& items, std::size_t work) {
+    CellFilter cells(items, work);
+    std::erase_if(items, [&](const BoxTree::Item& i) { return !cells.keeps(i.box); });
+  }
+
+ private:
+  static constexpr std::size_t few = 8;  // for more operands the cells alone decide
+  std::vector<Box> bounds_;
+};
+
+/// The faces that may meet a foreign one, with their boxes, in order; first whole chunks are dropped.
+std::vector<BoxTree::Item> near_faces(const Operands& operands) {
+  const NearFilter filter(operands);
+  std::vector<BoxTree::Item> chunks, faces;
+  for (std::uint32_t c = 0; c < operands.chunks.size(); ++c)
+    filter.add(chunks, {operands.chunks[c].box, c, operands.chunks[c].operand});
+  NearFilter::by_cells(chunks, operands.face_count());
+  for (const BoxTree::Item& item : chunks) {
+    const Chunk& c = operands.chunks[item.id];
+    for (std::uint32_t f = c.begin; f < c.end; ++f)
+      filter.add(faces, {face_box(*operands.bodies[c.operand], f - operands.base[c.operand]), f, c.operand});
+  }
+  NearFilter::by_cells(faces, 4 * faces.size());
+  return faces;
+}
+
+}  // namespace
+
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
-  const auto n = static_cast<std::uint32_t>(operands.bodies.size());
-  std::vector<Box> bounds(n);
-  std::vector<Box> boxes(operands.face_count());
-  for (std::uint32_t o = 0; o < n; ++o)
-    for (std::uint32_t f = operands.base[o]; f < operands.base[o + 1]; ++f) {
-      boxes[f] = face_box(*operands.bodies[o], f - operands.base[o]);
-      bounds[o].add(boxes[f]);
-    }
-  // Few operands: drop the faces that no other operand's box meets. Many: the tree prunes as well.
-  std::vector<BoxTree::Item> items;
-  for (std::uint32_t o = 0; o < n; ++o)
-    for (std::uint32_t f = operands.base[o]; f < operands.base[o + 1]; ++f) {
-      bool near = n > 8;
-      for (std::uint32_t p = 0; p < n && !near; ++p) near = p != o && boxes[f].meets(bounds[p]);
-      if (near) items.push_back({boxes[f], f, o});
-    }
+  const std::vector<BoxTree::Item> items = near_faces(operands);
   std::vector<FaceIdPair> pairs;
   BoxTree(items).foreign_pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
-  return filtered(pairs, [&](const FaceIdPair& pair) {
-    const auto [o, f] = operands.local(pair[0]);
-    const auto [p, g] = operands.local(pair[1]);
-    const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
-    return !strictly_on_one_side(a.plane(f), b, g, boxes[pair[1]]) && !strictly_on_one_side(b.plane(g), a, f, boxes[pair[0]]);
-  });
+  const auto box_of = [&](std::uint32_t face) -> const Box& {  // items are in the order of their ids
+    return std::lower_bound(items.begin(), items.end(), face, [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })->box;
+  };
+  const auto apart = [&](std::uint32_t face, std::uint32_t other) {
+    const auto [o, f] = operands.local(face);
+    const auto [p, g] = operands.local(other);
+    const Body& body = *operands.bodies[p];
+    const exact::Plane plane = operands.bodies[o]->sign_plane(f);
+    return corner_count(body, g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other)) : strictly_on_one_side(plane, body, g);
+  };
+  return filtered(pairs, [&](const FaceIdPair& pair) { return !apart(pair[0], pair[1]) && !apart(pair[1], pair[0]); });
 }
 
 std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
@@ -162,29 +262,23 @@ namespace {
 /// Proves that faces of one body meet in common corners and edges only, where one look at a plane is enough.
 class Prover {
  public:
-  explicit Prover(const Body& body) : body_(body), adjacency_(body), planes_(body.face_count()) {
-    for (std::uint32_t f = 0; f < body.face_count(); ++f) planes_[f] = body.plane(f);
+  explicit Prover(const Body& body) : body_(body), adjacency_(body) {
     for (std::uint32_t f = 0; f < body.face_count(); ++f)
       if (f >= body.triangles.size())
         for_points(f, [&](std::uint32_t v) { points_.push_back({v, f}); });
     std::sort(points_.begin(), points_.end());
   }
 
-  bool many_corners(std::uint32_t f) const { return corner_count(f) > 3; }
+  bool many_corners(std::uint32_t f) const { return corner_count(body_, f) > 3; }
 
   bool proper(std::uint32_t f, std::uint32_t g) const {
-    if (corner_count(f) > corner_count(g)) std::swap(f, g);
-    return meets_in_common_parts(f, g) || (corner_count(g) <= small && meets_in_common_parts(g, f));
+    if (corner_count(body_, f) > corner_count(body_, g)) std::swap(f, g);
+    return meets_in_common_parts(f, g) || (corner_count(body_, g) <= small && meets_in_common_parts(g, f));
   }
 
  private:
   static constexpr std::size_t small = 16;
 
-  std::size_t corner_count(std::uint32_t f) const {
-    if (f < body_.triangles.size()) return 3;
-    const std::size_t p = f - body_.triangles.size();
-    return body_.loop_corners[body_.polygon_loops[p + 1]] - body_.loop_corners[body_.polygon_loops[p]];
-  }
   /// visit(v) for the loops of one corner.
   template <class Visit>
   void for_points(std::uint32_t f, Visit&& visit) const {
@@ -209,7 +303,7 @@ class Prover {
   /// Does f lie on one closed side of g's plane, and does g list all that f has on it? A face that a plane does not
   /// cross meets it in corners and edges only.
   bool meets_in_common_parts(std::uint32_t f, std::uint32_t g) const {
-    const exact::Plane& plane = planes_[g];
+    const exact::Plane plane = body_.sign_plane(g);
     int seen = 0;
     bool good = true, on_plane = false;
     body_.for_corners(f, [&](std::uint32_t v) {
@@ -229,7 +323,6 @@ class Prover {
 
   const Body& body_;
   const Adjacency adjacency_;
-  std::vector<exact::Plane> planes_;
   std::vector<FaceIdPair> points_;  // (vertex, face), sorted
 };
 

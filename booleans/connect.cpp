@@ -40,7 +40,7 @@ class Connector {
   void glue_over_edges(std::uint32_t operand) {
     const Body& body = *a_.operands.bodies[operand];
     auto& adjacency = a_.touched.adjacency[operand];
-    if (!adjacency) adjacency = std::make_unique<Adjacency>(body);
+    if (!adjacency || !adjacency->is_complete()) adjacency = std::make_unique<Adjacency>(body);
     Partition parts(body.face_count());
     std::vector<std::array<std::uint32_t, 3>> crowded;  // (face, from, to) at edges of more than two faces
     for_untouched(operand, [&](std::uint32_t f) {
@@ -121,8 +121,6 @@ void connect(Arrangement& a, Glue glue) {
   Connector c(a);
   c.number_facets();
   for (std::uint32_t i = 0; i < a.operands.bodies.size(); ++i) {
-    if (a.operands.bodies[i]->polygon_count() > 0 && !a.touched.adjacency[i])
-      a.touched.adjacency[i] = std::make_unique<Adjacency>(*a.operands.bodies[i]);  // rays ask for polygon edges
     if (glue == Glue::vertices) c.glue_over_vertices(i);
     else c.glue_over_edges(i);
   }

@@ -4,6 +4,7 @@
 
 #include "booleans/around_edge.h"
 #include "booleans/arrangement.h"
+#include "booleans/fans.h"
 #include "booleans/triangulate.h"
 
 namespace quoin::booleans {
@@ -147,6 +148,7 @@ class Separator {
  public:
   Separator(const Body& body, const Triangulated& mesh) : mesh_(mesh), edges_(mesh) {
     edges_.for_runs([&](std::span<const EdgeList::Entry> run) {
+      if (run.size() == 1) return;  // its other triangle has no part in this
       if (run.size() == 2) pairs_.push_back({run[0].corner, run[1].corner});
       else crowded_.push_back({around(body, run), false});
     });
@@ -221,29 +223,55 @@ class Separator {
 
 }  // namespace
 
-Triangulated separated(const Body& body, const Triangulated& mesh, Pairing pairing) {
-  Separator separator(body, mesh);
+Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
+  // Only vertices of several fans are split, so only their triangles take part.
+  Spokes spokes(mesh.triangles, mesh.source.size());
+  std::vector<std::uint8_t> several(mesh.source.size());
+  for (std::uint32_t v = 0; v < several.size(); ++v) several[v] = !is_one_fan(spokes.at(v));
+  Triangulated part;
+  part.source = mesh.source;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& c = mesh.triangles[t];
+    if (!several[c[0]] && !several[c[1]] && !several[c[2]]) continue;
+    part.triangles.push_back(c);
+    part.face.push_back(mesh.face[t]);
+  }
+  if (part.triangles.empty()) return mesh;
+
+  Separator separator(body, part);
   Partition corners = separator.glued();
   // An edge is turned once, for good; turning may make others equal, so a few rounds follow.
   for (int round = 0; round < 4 && pairing == Pairing::by_distinct_edges; ++round) {
     if (!separator.turn_equal_edges(corners)) break;
     corners = separator.glued();
   }
-  Triangulated r;
-  r.face = mesh.face;
-  r.triangles.resize(mesh.triangles.size());
   // Vertices keep their order; the fans of one vertex follow each other in the order of their first corners.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;
-  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
-    if (corners.find(c) == c) fans.push_back({mesh.triangles[c / 3][c % 3], c});
+  std::vector<std::array<std::uint32_t, 2>> fans;  // (vertex, first corner)
+  const auto corner = [&](std::uint32_t c) { return part.triangles[c / 3][c % 3]; };
+  const auto corner_count = static_cast<std::uint32_t>(3 * part.triangles.size());
+  for (std::uint32_t c = 0; c < corner_count; ++c)
+    if (several[corner(c)] && corners.find(c) == c) fans.push_back({corner(c), c});
   std::sort(fans.begin(), fans.end());
-  std::vector<std::uint32_t> id(3 * mesh.triangles.size(), none);
-  for (const auto& [vertex, corner] : fans) {
-    id[corner] = static_cast<std::uint32_t>(r.source.size());
-    r.source.push_back(mesh.source[vertex]);
+  std::vector<std::uint32_t> id_of_vertex(mesh.source.size()), id_of_corner(corner_count);
+  std::vector<std::uint32_t> source;
+  for (std::uint32_t v = 0, f = 0; v < mesh.source.size(); ++v) {
+    id_of_vertex[v] = static_cast<std::uint32_t>(source.size());
+    if (!several[v]) source.push_back(mesh.source[v]);
+    for (; f < fans.size() && fans[f][0] == v; ++f) {
+      id_of_corner[fans[f][1]] = static_cast<std::uint32_t>(source.size());
+      source.push_back(mesh.source[v]);
+    }
   }
-  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) r.triangles[c / 3][c % 3] = id[corners.find(c)];
-  return r;
+  std::uint32_t c = 0;  // corners of part come in the mesh's order
+  for (auto& t : mesh.triangles) {
+    const bool in_part = several[t[0]] || several[t[1]] || several[t[2]];
+    for (std::uint32_t& v : t) {
+      v = several[v] ? id_of_corner[corners.find(c)] : id_of_vertex[v];
+      c += in_part ? 1 : 0;
+    }
+  }
+  mesh.source = std::move(source);
+  return mesh;
 }
 
 Shells shells(const Triangulated& mesh) {

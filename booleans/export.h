@@ -27,7 +27,7 @@ enum class Pairing {
 
 /// The same with touching parts separated combinatorially: triangles are glued in pairs over edges, and a vertex is
 /// split into its fans.
-Triangulated separated(const Body& body, const Triangulated& mesh, Pairing pairing = Pairing::by_interior);
+Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing = Pairing::by_interior);
 
 /// Of a separated mesh: connected components, and the sum of their genera.
 struct Shells {

@@ -4,13 +4,15 @@
 
 namespace quoin::booleans {
 
-Targets::Targets(const Arrangement& a) : a_(a), sheet_edges_(a.sheets.size()) {
-  for (std::uint32_t f = 0; f < a.operands.face_count(); ++f) {
-    if (a.patch_of[f] == none) continue;
-    const auto [operand, face] = a.operands.local(f);
-    targets_.push_back({none, f});
-    boxes_.push_back(face_box(*a.operands.bodies[operand], face));
-  }
+Targets::Targets(const Arrangement& a, const Box& region) : a_(a), sheet_edges_(a.sheets.size()), adjacency_(a.operands.bodies.size()) {
+  for (std::uint32_t o = 0; o < a.operands.bodies.size(); ++o)
+    for (std::uint32_t f = a.operands.base[o]; f < a.operands.base[o + 1]; ++f) {
+      if (a.patch_of[f] == none) continue;
+      const Box box = face_box(*a.operands.bodies[o], f - a.operands.base[o]);
+      if (!box.meets(region)) continue;
+      targets_.push_back({none, f});
+      boxes_.push_back(box);
+    }
   for (std::uint32_t s = 0; s < a.sheets.size(); ++s) {
     const Sheet& sheet = a.sheets[s];
     SheetEdges& edges = sheet_edges_[s];
@@ -89,8 +91,16 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 
 }  // namespace
 
+const Adjacency& Targets::adjacency(std::uint32_t operand) {
+  const auto& known = a_.touched.adjacency[operand];
+  if (known && known->is_complete()) return *known;
+  auto& own = adjacency_[operand];
+  if (!own) own = std::make_unique<Adjacency>(*a_.operands.bodies[operand]);
+  return *own;
+}
+
 template <class Visit>
-void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) const {
+void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) {
   const Target& target = targets_[t];
   if (target.sheet != none) {
     const Sheet& sheet = a_.sheets[target.sheet];
@@ -106,7 +116,7 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
   body.for_edges(face, [&, operand = operand](std::uint32_t u, std::uint32_t w) {
     exact::Plane line{};
     if (!body.is_grid(u) || !body.is_grid(w))
-      a_.touched.adjacency[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
+      adjacency(operand).faces_at_edge(u, w, [&](std::uint32_t g, bool) {
         const exact::Plane q = body.plane(g);
         if (!exact::parallel(plane, q)) line = q;
       });

@@ -29,10 +29,10 @@ struct RayStart {
   Direction d;  // d_x > 0, or d = (0, 0, d_z)
 };
 
-/// All targets of an arrangement with their boxes; edges are indexed once.
+/// The targets of an arrangement whose boxes meet a given one; edges are indexed once.
 class Targets {
  public:
-  explicit Targets(const Arrangement& a);
+  Targets(const Arrangement& a, const Box& region);
 
   std::size_t size() const { return targets_.size(); }
   const Box& box(std::uint32_t t) const { return boxes_[t]; }
@@ -56,7 +56,8 @@ class Targets {
     BoxTree tree;
   };
   template <class Visit>
-  void for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) const;
+  void for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit);
+  const Adjacency& adjacency(std::uint32_t operand);
   std::size_t edge_count(std::uint32_t t) const;
   const Searchable& searchable(std::uint32_t t, const exact::Plane& plane);
 
@@ -68,6 +69,7 @@ class Targets {
   };
   std::vector<SheetEdges> sheet_edges_;
   std::unordered_map<std::uint32_t, Searchable> searchable_;  // by target
+  std::vector<std::unique_ptr<Adjacency>> adjacency_;         // complete; per operand, when asked for
 };
 
 }  // namespace quoin::booleans

@@ -79,21 +79,37 @@ class Seeder {
   void find_extremes() {
     for (const Use& u : a_.uses)
       for (const std::uint32_t v : {u.low, u.high}) offer(component_of_[u.facet], v, a_.vertices.approximation(v));
-    for_untouched([&](std::uint32_t operand, std::uint32_t face, std::uint32_t node) {
-      const Body& body = *a_.operands.bodies[operand];
-      const auto corner = [&](std::uint32_t v) {
-        const auto at = body.approximation(v);
-        if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(operand, v), at);
-      };
-      body.for_corners(face, corner);
-    });
+    for (const Chunk& c : a_.operands.chunks)
+      if (c.box.low[0] <= farthest()) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
+        body.for_corners(face, [&](std::uint32_t v) {
+          const auto at = body.approximation(v);
+          if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(c.operand, v), at);
+        });
+      });
   }
 
+  /// The largest x of all extremes found so far. With many components that is asked for once in a while only.
+  double farthest() {
+    if (extreme_.size() > few && asked_++ % extreme_.size() != 0) return farthest_;
+    farthest_ = -HUGE_VAL;
+    for (const Extreme& e : extreme_) farthest_ = std::max(farthest_, e.at[0]);
+    return farthest_;
+  }
+
+  /// visit(body, face, node) for the untouched faces of a chunk; faces count from the operand's first.
   template <class Visit>
-  void for_untouched(Visit&& visit) const {
-    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o)
-      for (std::uint32_t f = a_.operands.base[o]; f < a_.operands.base[o + 1]; ++f)
-        if (a_.patch_of[f] != none) visit(o, f - a_.operands.base[o], a_.patch_of[f]);
+  void for_untouched(const Chunk& c, Visit&& visit) const {
+    for (std::uint32_t f = c.begin; f < c.end; ++f)
+      if (a_.patch_of[f] != none) visit(*a_.operands.bodies[c.operand], f - a_.operands.base[c.operand], a_.patch_of[f]);
+  }
+
+  bool may_hold_extreme(const Box& box) const {
+    if (extreme_.size() > few) return true;
+    return std::any_of(extreme_.begin(), extreme_.end(), [&](const Extreme& e) {
+      Box point;
+      point.add(e.at);
+      return box.meets(point);
+    });
   }
 
   /// All facets of a component at its extreme vertex, edge by edge.
@@ -123,19 +139,18 @@ class Seeder {
       reversed.left = !u.left;
       offer_corner(u.high, reversed);
     }
-    for_untouched([&](std::uint32_t operand, std::uint32_t face, std::uint32_t node) {
-      const Body& body = *a_.operands.bodies[operand];
-      const auto edge = [&](std::uint32_t u, std::uint32_t v) {
-        for (const bool forward : {true, false}) {
-          if (!is_wanted[operand][forward ? u : v]) continue;
-          const Name at = name(operand, forward ? u : v);
-          const exact::Plane p = body.plane(face);
-          const bool turned = !exact::is_canonical(p);
-          offer_corner(at, {name(operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
-        }
-      };
-      body.for_edges(face, edge);
-    });
+    for (const Chunk& c : a_.operands.chunks)
+      if (may_hold_extreme(c.box)) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
+        body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
+          for (const bool forward : {true, false}) {
+            if (!is_wanted[c.operand][forward ? u : v]) continue;
+            const exact::Plane p = body.plane(face);
+            const bool turned = !exact::is_canonical(p);
+            offer_corner(name(c.operand, forward ? u : v),
+                         {name(c.operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
+          }
+        });
+      });
   }
 
   std::optional<Direction> direction(Name v, Name w, const std::vector<const Corner*>& edge) const {
@@ -204,9 +219,14 @@ class Seeder {
     return 2 * first->node + (back ? 1 : 0);
   }
 
-  /// Finds the nearest target in the ray's way; `better` compares two hits exactly.
+  /// Finds the nearest target in each ray's way.
   void shoot() {
-    Targets targets(a_);
+    for (Seed& s : seeds_) s.beyond = none;
+    if (seeds_.size() == 1) return;  // a ray meets other components only
+    Box rays;
+    for (const Extreme& e : extreme_) rays.add(e.at);
+    rays.low[1] = INT32_MIN;
+    Targets targets(a_, rays);
     std::optional<BoxTree> tree;
     if (seeds_.size() > 4) {
       std::vector<BoxTree::Item> items(targets.size());
@@ -265,7 +285,10 @@ class Seeder {
 
   const Arrangement& a_;
   const std::vector<std::uint32_t>& component_of_;
+  static constexpr std::size_t few = 8;
   std::vector<Extreme> extreme_;
+  double farthest_ = HUGE_VAL;
+  std::size_t asked_ = 0;
   std::vector<std::vector<Corner>> corners_;
   std::vector<Direction> direction_;  // of each component's extreme edge
   std::vector<Seed> seeds_;

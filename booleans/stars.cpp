@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "booleans/fans.h"
+
 namespace quoin::booleans {
 namespace {
 
@@ -69,11 +71,6 @@ class Stars {
       star_[v] = common[v] == 63 || (common[v] != 0 && over[v] == 1) ? Star::embedded : Star::other;
   }
 
-  /// The opposite edges (a, b) of the unproved vertices' triangles, counter-clockwise.
-  struct Spoke {
-    std::uint32_t a, b;
-  };
-
   void look_at_the_rest() {
     std::vector<std::uint32_t> index(star_.size(), none), start(unproved_.size() + 1);
     for (std::uint32_t i = 0; i < unproved_.size(); ++i) index[unproved_[i]] = i;
@@ -90,24 +87,9 @@ class Stars {
     for (std::uint32_t i = 0; i < unproved_.size(); ++i) {
       const std::span<Spoke> star(spokes.data() + start[i], start[i + 1] - start[i]);
       Star& result = star_[unproved_[i]];
-      if (!is_ring(star)) continue;
+      if (!is_one_fan(star)) continue;
       result = is_embedded(unproved_[i], star) ? Star::embedded : Star::ring;
     }
-  }
-
-  /// One closed fan: every neighbour ends one triangle and begins one, and the walk meets all.
-  static bool is_ring(std::span<Spoke> star) {
-    std::sort(star.begin(), star.end(), [](const Spoke& s, const Spoke& t) { return s.a < t.a; });
-    for (std::size_t i = 1; i < star.size(); ++i)
-      if (star[i - 1].a == star[i].a) return false;
-    std::size_t steps = 0;
-    const std::uint32_t first = star[0].a;
-    for (std::uint32_t a = first; steps == 0 || a != first; ++steps) {
-      const auto next = std::lower_bound(star.begin(), star.end(), a, [](const Spoke& s, std::uint32_t w) { return s.a < w; });
-      if (next == star.end() || next->a != a || steps == star.size()) return false;
-      a = next->b;
-    }
-    return steps == star.size();
   }
 
   /// Along the sum of the normals, rounded to integers of at most 2^8: normals are below 2^62, so n . d is below 2^72;

@@ -3,7 +3,17 @@
 namespace quoin::booleans {
 
 Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), base{0} {
-  for (const Body* b : bodies) base.push_back(base.back() + static_cast<std::uint32_t>(b->face_count()));
+  for (std::uint32_t o = 0; o < bodies.size(); ++o) {
+    const Body& body = *bodies[o];
+    const std::uint32_t first = base.back(), end = first + static_cast<std::uint32_t>(body.face_count());
+    for (std::uint32_t f = first; f < end; ++f) {
+      const Box box = face_box(body, f - first);
+      if (f == first || f - chunks.back().begin == Chunk::most || !box.meets(chunks.back().box)) chunks.push_back({o, f, f, {}});
+      chunks.back().end = f + 1;
+      chunks.back().box.add(box);
+    }
+    base.push_back(end);
+  }
 }
 
 std::pair<std::uint32_t, std::uint32_t> Operands::local(std::uint32_t face) const {
@@ -19,10 +29,13 @@ class Collector {
   Collector(const Operands& operands, std::uint32_t operand, std::vector<std::uint8_t>& touched, VertexTable& vertices,
             PlaneTable& planes, TouchedFaces& out)
       : body_(*operands.bodies[operand]), operand_(operand), base_(operands.base[operand]), touched_(touched),
-        vertices_(vertices), planes_(planes), out_(out), adjacency_(*out.adjacency[operand]),
-        vertex_of_(out.vertex_of[operand]), first_face_(out.faces.size()) {}
+        vertices_(vertices), planes_(planes), out_(out), vertex_of_(out.vertex_of[operand]), first_face_(out.faces.size()) {}
 
   void run() {
+    std::vector<std::uint8_t> marked(body_.vertex_count());
+    for (std::uint32_t f = 0; f < body_.face_count(); ++f)
+      if (touched_[base_ + f]) body_.for_corners(f, [&](std::uint32_t v) { marked[v] = 1; });
+    out_.adjacency[operand_] = std::make_unique<Adjacency>(body_, std::move(marked));
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
       if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
@@ -37,6 +50,13 @@ class Collector {
   struct LocalEdge {
     std::uint32_t u, v;  // local vertex ids
   };
+
+  /// Knows one end of the edge. Floods that run far make it complete.
+  const Adjacency& adjacency(std::uint32_t u, std::uint32_t v) {
+    auto& known = out_.adjacency[operand_];
+    if (!known->knows(u) && !known->knows(v)) known = std::make_unique<Adjacency>(body_);
+    return *known;
+  }
 
   void begin_face(std::uint32_t f, const exact::Plane& plane) {
     members_.clear();
@@ -73,11 +93,11 @@ class Collector {
   }
 
   /// The triangle that continues triangle t over its directed edge (u, v), if the edge is no real edge.
-  std::uint32_t coplanar_mate(std::uint32_t t, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) const {
+  std::uint32_t coplanar_mate(std::uint32_t t, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) {
     std::uint32_t mate = none;
     int faces = 0;
     bool reversed = false;
-    adjacency_.faces_at_edge(u, v, [&](std::uint32_t f, bool forward) {
+    adjacency(u, v).faces_at_edge(u, v, [&](std::uint32_t f, bool forward) {
       ++faces;
       if (f != t) mate = f, reversed = !forward;
     });
@@ -127,7 +147,7 @@ class Collector {
       for (; at < face.edges_end; ++at) {
         BoundaryEdge& e = out_.edges[at];
         const LocalEdge& l = local_[at - first];
-        adjacency_.faces_at_edge(l.u, l.v, [&](std::uint32_t f, bool forward) {
+        adjacency(l.u, l.v).faces_at_edge(l.u, l.v, [&](std::uint32_t f, bool forward) {
           const std::uint32_t g = out_.face_of[base_ + f];
           if (g == i) return;
           const std::uint32_t plane = g == none ? planes_.id(body_.plane(f)) : out_.faces[g].sheet;
@@ -162,7 +182,6 @@ class Collector {
   VertexTable& vertices_;
   PlaneTable& planes_;
   TouchedFaces& out_;
-  const Adjacency& adjacency_;
   std::vector<std::uint32_t>& vertex_of_;
   const std::size_t first_face_;  // of this operand
   std::vector<std::uint32_t> members_;
@@ -181,7 +200,6 @@ TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>
   for (std::uint32_t i = 0; i < n; ++i) {
     const auto first = touched.begin() + operands.base[i], last = touched.begin() + operands.base[i + 1];
     if (std::find(first, last, 1) == last) continue;
-    out.adjacency[i] = std::make_unique<Adjacency>(*operands.bodies[i]);
     out.vertex_of[i].assign(operands.bodies[i]->vertex_count(), none);
     Collector(operands, i, touched, vertices, planes, out).run();
   }

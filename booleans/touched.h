@@ -36,10 +36,20 @@ struct UntouchedUse {
   std::uint32_t operand, face;  // the untouched face
 };
 
+/// Faces of one operand that follow each other, each near those before it, with their box: what is far away is passed
+/// over by the chunk. Meshes come in some order that hangs together; where it jumps, a chunk ends.
+struct Chunk {
+  static constexpr std::uint32_t most = 32;
+  std::uint32_t operand;
+  std::uint32_t begin, end;  // global face ids
+  Box box;
+};
+
 /// The operands of one arrangement. Faces of all operands are numbered through.
 struct Operands {
   std::vector<const Body*> bodies;
   std::vector<std::uint32_t> base;  // first global face id of each operand, plus the total
+  std::vector<Chunk> chunks;
 
   explicit Operands(std::vector<const Body*> list);
   std::uint32_t face_count() const { return base.back(); }
@@ -58,7 +68,8 @@ struct TouchedFaces {
   std::vector<std::uint32_t> face_of;  // global face id -> index into faces, none when untouched
   /// Per operand: local vertex id -> table id, none where the vertex is on no touched face.
   std::vector<std::vector<std::uint32_t>> vertex_of;
-  std::vector<std::unique_ptr<Adjacency>> adjacency;  // per operand; null where nothing is touched
+  /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
+  std::vector<std::unique_ptr<Adjacency>> adjacency;
   std::vector<std::unique_ptr<BoxTree>> edge_tree;    // per face, items are indices into edges; null for small faces
 };
 

@@ -54,7 +54,7 @@ Plane reduced_plane(std::array<std::int64_t, 3> n, int128 d) {
   return {n, d};
 }
 
-std::optional<Plane> plane_through(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+Plane spanned_plane(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
   std::array<std::int64_t, 3> e{}, f{}, n{};
   for (int k = 0; k < 3; ++k) {
     e[static_cast<std::size_t>(k)] = std::int64_t{q[k]} - p[k];
@@ -63,9 +63,13 @@ std::optional<Plane> plane_through(const GridPoint& p, const GridPoint& q, const
   n[0] = e[1] * f[2] - e[2] * f[1];
   n[1] = e[2] * f[0] - e[0] * f[2];
   n[2] = e[0] * f[1] - e[1] * f[0];
-  if (n[0] == 0 && n[1] == 0 && n[2] == 0) return std::nullopt;
-  const int128 d = -(int128(n[0]) * p[0] + int128(n[1]) * p[1] + int128(n[2]) * p[2]);
-  return reduced_plane(n, d);
+  return {n, -(int128(n[0]) * p[0] + int128(n[1]) * p[1] + int128(n[2]) * p[2])};
+}
+
+std::optional<Plane> plane_through(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+  const Plane plane = spanned_plane(p, q, r);
+  if (plane.n[0] == 0 && plane.n[1] == 0 && plane.n[2] == 0) return std::nullopt;
+  return reduced_plane(plane.n, plane.d);
 }
 
 double rounded_quotient(const Numerator& numerator, const Denominator& denominator) {

@@ -43,6 +43,8 @@ Plane reduced_plane(std::array<std::int64_t, 3> n, int128 d);
 /// The plane through three grid points, normal (q - p) x (r - p): p, q, r are counter-clockwise seen from where it is
 /// positive. Edge vectors are <= 2^30, normals <= 2^61 <= L, offsets < 2^92. Nothing when the points are collinear.
 std::optional<Plane> plane_through(const GridPoint& p, const GridPoint& q, const GridPoint& r);
+/// The same, not reduced: for signs, not for identity. Its normal is zero when the points are collinear.
+Plane spanned_plane(const GridPoint& p, const GridPoint& q, const GridPoint& r);
 
 /// A point (x, y, z) / w with w > 0: a grid point (w = 1) or the meeting of three planes. Not reduced.
 /// `approximation` holds the correctly rounded coordinates. Rounding is monotone and a function of the point alone:

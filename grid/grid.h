@@ -55,6 +55,8 @@ class Rounder {
   double to_double(std::int32_t grid_coordinate, int k) const;
   float to_float(const exact::Point& point, int k) const;
   float to_float(std::int32_t grid_coordinate, int k) const;
+  /// Whether doubles hold the model coordinates of all grid points exactly.
+  bool is_exact() const { return affine_ && affine_->denominator == 1; }
 
  private:
   Lattice lattice_;

@@ -1,0 +1,59 @@
+/// \file
+/// The triangles around each vertex of a closed mesh, and whether they form one fan.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace quoin::booleans {
+
+/// A triangle (v, a, b) seen from its corner v.
+struct Spoke {
+  std::uint32_t a, b;
+};
+
+/// Do the triangles around a vertex form one closed fan: every neighbour begins one triangle and ends one, and walking
+/// from triangle to triangle meets all? Sorts the spokes of crowded vertices.
+inline bool is_one_fan(std::span<Spoke> star) {
+  constexpr std::size_t few = 16;
+  const bool sorted = star.size() > few;
+  if (sorted) std::sort(star.begin(), star.end(), [](const Spoke& s, const Spoke& t) { return s.a < t.a; });
+  const auto beginning_at = [&](std::uint32_t a) {
+    if (sorted) return std::lower_bound(star.begin(), star.end(), a, [](const Spoke& s, std::uint32_t w) { return s.a < w; });
+    return std::find_if(star.begin(), star.end(), [&](const Spoke& s) { return s.a == a; });
+  };
+  // The walk a -> b is a cycle of all spokes exactly when it comes back to its start after as many steps, not earlier:
+  // then no spoke is met twice, so all beginnings differ.
+  std::uint32_t at = star[0].a;
+  for (std::size_t steps = 1; steps <= star.size(); ++steps) {
+    const auto spoke = beginning_at(at);
+    if (spoke == star.end() || spoke->a != at) return false;
+    at = spoke->b;
+    if (at == star[0].a) return steps == star.size();
+  }
+  return false;
+}
+
+/// The spokes of all vertices, by vertex.
+class Spokes {
+ public:
+  Spokes(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertex_count) : at_(vertex_count + 2) {
+    for (const auto& t : triangles)
+      for (std::uint32_t v : t) ++at_[v + 2];
+    for (std::size_t v = 2; v < at_.size(); ++v) at_[v] += at_[v - 1];
+    spokes_ = std::make_unique_for_overwrite<Spoke[]>(3 * triangles.size());
+    for (const auto& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) spokes_[at_[t[k] + 1]++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+  }
+  std::span<Spoke> at(std::uint32_t v) { return {spokes_.get() + at_[v], at_[v + 1] - at_[v]}; }
+
+ private:
+  std::vector<std::uint32_t> at_;
+  std::unique_ptr<Spoke[]> spokes_;
+};
+
+}  // namespace quoin::booleans
