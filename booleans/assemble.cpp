@@ -17,44 +17,62 @@ class Assembler {
   Body run() {
     body_.full_at_infinity = s_.full_at_infinity;
     place_of_.resize(a_.operands.bodies.size());
-    raw_of_.resize(a_.operands.bodies.size());
-    raw_of_table_.assign(a_.vertices.size(), none);
+    for (const Body* body : a_.operands.bodies) name_of_.emplace_back(body->vertex_count(), none);
+    name_of_table_.assign(a_.vertices.size(), none);
     table_place_.assign(a_.vertices.size(), none);
     keep_raw();
+    for (const bool far : {true, false})
+      for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) keep_polygons(o, far);
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
-    keep_polygons();
     drop_vertices();
     emit();
     return std::move(body_);
   }
 
  private:
-  // The corners of untouched raw triangles come first and have their names at once. While other faces are collected
-  // a corner is an index into places_: first come, first named.
+  // A vertex of no touched face stays or goes with all its faces: faces of such vertices are copied, and vertices get
+  // their names at once: a grid point its id, a derived one its index with local_bit. While other faces are collected a
+  // corner is an index into places_.
   struct Place {
     std::uint32_t operand;  // none: a table vertex
     std::uint32_t vertex;
-    std::uint32_t raw;  // its name when a raw triangle uses it
+    std::uint32_t name;  // if it has one
     std::uint32_t neighbours[2] = {none, none};
-    bool fixed;  // a raw triangle uses it, or it has more than two neighbours
-    bool used;   // on a loop of at least two corners, or on a raw triangle
+    bool fixed;  // it has a name, or more than two neighbours
+    bool used;   // it has a name, or is on a loop of at least two corners
   };
-  std::uint32_t new_place(std::uint32_t operand, std::uint32_t v, std::uint32_t raw) {
-    places_.push_back({operand, v, raw, {none, none}, raw != none, raw != none});
+  std::uint32_t new_place(std::uint32_t operand, std::uint32_t v, std::uint32_t name) {
+    places_.push_back({operand, v, name, {none, none}, name != none, name != none});
     return static_cast<std::uint32_t>(places_.size() - 1);
   }
 
   std::uint32_t table_place(std::uint32_t v) {
     std::uint32_t& p = table_place_[v];
-    if (p == none) p = new_place(none, v, raw_of_table_[v]);
+    if (p == none) p = new_place(none, v, name_of_table_[v]);
     return p;
   }
-  std::uint32_t place(std::uint32_t operand, std::uint32_t v) {
+  bool in_table(std::uint32_t operand, std::uint32_t v) const {
     const auto& table = a_.touched.vertex_of[operand];
-    if (!table.empty() && table[v] != none) return table_place(table[v]);
+    return !table.empty() && table[v] != none;
+  }
+  std::uint32_t named(std::uint32_t operand, std::uint32_t v) {
+    std::uint32_t& name = in_table(operand, v) ? name_of_table_[a_.touched.vertex_of[operand][v]] : name_of_[operand][v];
+    if (name != none) return name;
+    const Body& body = *a_.operands.bodies[operand];
+    if (body.is_grid(v)) {
+      name = static_cast<std::uint32_t>(body_.grid_points.size());
+      body_.grid_points.push_back(body.grid_points[v]);
+    } else {
+      name = static_cast<std::uint32_t>(body_.points.size()) | local_bit;
+      body_.points.push_back(body.points[v - body.grid_points.size()]);
+    }
+    return name;
+  }
+  std::uint32_t place(std::uint32_t operand, std::uint32_t v) {
+    if (in_table(operand, v)) return table_place(a_.touched.vertex_of[operand][v]);
     auto& own = place_of_[operand];
     if (own.empty()) own.assign(a_.operands.bodies[operand]->vertex_count(), none);
-    if (own[v] == none) own[v] = new_place(operand, v, v < raw_of_[operand].size() ? raw_of_[operand][v] : none);
+    if (own[v] == none) own[v] = new_place(operand, v, name_of_[operand][v]);
     return own[v];
   }
 
@@ -67,21 +85,11 @@ class Assembler {
     for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
       const Body& body = *a_.operands.bodies[o];
       const std::uint32_t* const patch = a_.patch_of.data() + a_.operands.base[o];
-      const auto& table = a_.touched.vertex_of[o];
-      raw_of_[o].assign(body.grid_points.size(), none);
       for (std::uint32_t f = 0; f < body.triangles.size(); ++f) {
         if (patch[f] == none || s_.kept[patch[f]] == 0) continue;
         auto t = body.triangles[f];
         if (s_.kept[patch[f]] < 0) std::swap(t[1], t[2]);
-        for (std::uint32_t& v : t) {
-          const bool in_table = !table.empty() && table[v] != none;
-          std::uint32_t& raw = in_table ? raw_of_table_[table[v]] : raw_of_[o][v];
-          if (raw == none) {
-            raw = static_cast<std::uint32_t>(body_.grid_points.size());
-            body_.grid_points.push_back(body.grid_points[v]);
-          }
-          v = raw;
-        }
+        for (std::uint32_t& v : t) v = named(o, v);
         body_.triangles.push_back(t);
       }
     }
@@ -159,23 +167,38 @@ class Assembler {
     r.loop_ends.push_back(static_cast<std::uint32_t>(r.corners.size()));
   }
 
-  void keep_polygons() {
-    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
-      const Body& body = *a_.operands.bodies[o];
-      for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
-        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + body.triangles.size() + p];
-        if (patch == none || s_.kept[patch] == 0) continue;
-        const bool turn = s_.kept[patch] < 0;
-        Region r{turn ? body.planes[p].opposite() : body.planes[p], {}, {}};
-        for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-          loop_.clear();
-          for (std::uint32_t v : body.loop(j)) loop_.push_back(place(o, v));
-          if (turn) std::reverse(loop_.begin(), loop_.end());
-          add_loop(r);
-        }
-        regions_.push_back(std::move(r));
+  /// Untouched polygons: those without a vertex of the table (far) are copied, and named before the others.
+  void keep_polygons(std::uint32_t o, bool far) {
+    const Body& body = *a_.operands.bodies[o];
+    const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
+    for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
+      const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + triangles + p];
+      if (patch == none || s_.kept[patch] == 0) continue;
+      bool is_far = true;
+      body.for_corners(triangles + p, [&](std::uint32_t v) { is_far = is_far && !in_table(o, v); });
+      if (is_far != far) continue;
+      const bool turn = s_.kept[patch] < 0;
+      const exact::Plane plane = turn ? body.planes[p].opposite() : body.planes[p];
+      if (!far) regions_.push_back({plane, {}, {}});
+      for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
+        loop_.clear();
+        for (std::uint32_t v : body.loop(j)) loop_.push_back(far ? named(o, v) : place(o, v));
+        if (turn) std::reverse(loop_.begin(), loop_.end());
+        if (far) append_loop(loop_);
+        else add_loop(regions_.back());
       }
+      if (far) close_polygon(plane);
     }
+  }
+
+  /// A loop, then a polygon, of the body.
+  void append_loop(std::span<const std::uint32_t> loop) {
+    body_.corners.insert(body_.corners.end(), loop.begin(), loop.end());
+    body_.loop_corners.push_back(static_cast<std::uint32_t>(body_.corners.size()));
+  }
+  void close_polygon(const exact::Plane& plane) {
+    body_.planes.push_back(plane);
+    body_.polygon_loops.push_back(static_cast<std::uint32_t>(body_.loop_corners.size() - 1));
   }
 
   template <class Visit>
@@ -230,8 +253,10 @@ class Assembler {
       for (std::uint32_t i = 0; i < places_.size(); ++i) {
         const Place& p = places_[i];
         if (!needed[i] || is_grid(p) != grid) continue;
-        id[i] = p.raw != none ? p.raw : static_cast<std::uint32_t>(body_.vertex_count());
-        if (p.raw != none) continue;
+        id[i] = final_id(p.name != none ? p.name
+                         : grid ? static_cast<std::uint32_t>(body_.grid_points.size())
+                                : static_cast<std::uint32_t>(body_.points.size()) | local_bit);
+        if (p.name != none) continue;
         if (grid) {
           body_.grid_points.push_back(p.operand == none ? a_.vertices.grid_point(p.vertex)
                                                         : a_.operands.bodies[p.operand]->grid_points[p.vertex]);
@@ -240,6 +265,7 @@ class Assembler {
         }
       }
     }
+    for (std::uint32_t& c : body_.corners) c = final_id(c);
     const auto grid_count = static_cast<std::uint32_t>(body_.grid_points.size());
     for (const Region& r : regions_) {
       if (r.loop_ends.size() == 1 && r.corners.size() == 3 &&
@@ -247,13 +273,17 @@ class Assembler {
         body_.triangles.push_back({id[r.corners[0]], id[r.corners[1]], id[r.corners[2]]});
         continue;
       }
-      body_.planes.push_back(r.plane);
       for_loops(r, [&](std::span<const std::uint32_t> loop) {
-        for (std::uint32_t p : loop) body_.corners.push_back(id[p]);
-        body_.loop_corners.push_back(static_cast<std::uint32_t>(body_.corners.size()));
+        loop_.clear();
+        for (std::uint32_t p : loop) loop_.push_back(id[p]);
+        append_loop(loop_);
       });
-      body_.polygon_loops.push_back(static_cast<std::uint32_t>(body_.loop_corners.size() - 1));
+      close_polygon(r.plane);
     }
+  }
+  /// Derived points follow the grid points. Precondition: all grid points are there.
+  std::uint32_t final_id(std::uint32_t name) const {
+    return name & local_bit ? static_cast<std::uint32_t>(body_.grid_points.size()) + (name & ~local_bit) : name;
   }
 
   const Arrangement& a_;
@@ -262,8 +292,8 @@ class Assembler {
   std::vector<Place> places_;
   std::vector<std::uint32_t> table_place_;
   std::vector<std::vector<std::uint32_t>> place_of_;  // per operand, for vertices outside the table
-  std::vector<std::uint32_t> raw_of_table_;           // names of corners of raw triangles
-  std::vector<std::vector<std::uint32_t>> raw_of_;
+  std::vector<std::uint32_t> name_of_table_;
+  std::vector<std::vector<std::uint32_t>> name_of_;  // per operand
   std::vector<Region> regions_;
   std::vector<std::uint32_t> loop_;
   std::vector<std::uint8_t> touching_;

@@ -5,14 +5,16 @@
 namespace quoin::booleans {
 
 Targets::Targets(const Arrangement& a, const Box& region) : a_(a), sheet_edges_(a.sheets.size()), adjacency_(a.operands.bodies.size()) {
-  for (std::uint32_t o = 0; o < a.operands.bodies.size(); ++o)
-    for (std::uint32_t f = a.operands.base[o]; f < a.operands.base[o + 1]; ++f) {
+  for (const Chunk& c : a.operands.chunks) {
+    if (!c.box.meets(region)) continue;
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
       if (a.patch_of[f] == none) continue;
-      const Box box = face_box(*a.operands.bodies[o], f - a.operands.base[o]);
+      const Box box = face_box(*a.operands.bodies[c.operand], f - a.operands.base[c.operand]);
       if (!box.meets(region)) continue;
       targets_.push_back({none, f});
       boxes_.push_back(box);
     }
+  }
   for (std::uint32_t s = 0; s < a.sheets.size(); ++s) {
     const Sheet& sheet = a.sheets[s];
     SheetEdges& edges = sheet_edges_[s];
@@ -91,12 +93,19 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 
 }  // namespace
 
-const Adjacency& Targets::adjacency(std::uint32_t operand) {
-  const auto& known = a_.touched.adjacency[operand];
-  if (known && known->is_complete()) return *known;
-  auto& own = adjacency_[operand];
-  if (!own) own = std::make_unique<Adjacency>(*a_.operands.bodies[operand]);
-  return *own;
+void Targets::prepare(std::span<const std::uint32_t> targets) {
+  std::vector<std::vector<std::uint8_t>> marked(a_.operands.bodies.size());
+  for (const std::uint32_t t : targets) {
+    if (targets_[t].sheet != none) continue;
+    const auto [operand, face] = a_.operands.local(targets_[t].index);
+    const Body& body = *a_.operands.bodies[operand];
+    if (face < body.triangles.size()) continue;
+    auto& marks = marked[operand];
+    marks.resize(body.vertex_count());
+    body.for_corners(face, [&](std::uint32_t v) { marks[v] = 1; });
+  }
+  for (std::uint32_t o = 0; o < marked.size(); ++o)
+    if (!marked[o].empty()) adjacency_[o] = std::make_unique<Adjacency>(*a_.operands.bodies[o], std::move(marked[o]));
 }
 
 template <class Visit>
@@ -116,7 +125,7 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
   body.for_edges(face, [&, operand = operand](std::uint32_t u, std::uint32_t w) {
     exact::Plane line{};
     if (!body.is_grid(u) || !body.is_grid(w))
-      adjacency(operand).faces_at_edge(u, w, [&](std::uint32_t g, bool) {
+      adjacency_[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
         const exact::Plane q = body.plane(g);
         if (!exact::parallel(plane, q)) line = q;
       });

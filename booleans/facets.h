@@ -40,8 +40,10 @@ class Targets {
   std::uint32_t node(std::uint32_t t) const;
   /// Canonical plane, and whether a patch's outward normal is opposite to it.
   exact::Plane plane(std::uint32_t t, bool& turned) const;
+  /// Makes ready to shoot at these.
+  void prepare(std::span<const std::uint32_t> targets);
   /// Does the line through s in direction y pass through the target?
-  /// Precondition: the plane's normal has a component along y.
+  /// Preconditions: it was prepared, and the plane's normal has a component along y.
   /// Facets of many edges are searched through a tree, made when the first ray comes.
   bool crossed(std::uint32_t t, const exact::Plane& plane, const RayStart& s);
 
@@ -57,7 +59,6 @@ class Targets {
   };
   template <class Visit>
   void for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit);
-  const Adjacency& adjacency(std::uint32_t operand);
   std::size_t edge_count(std::uint32_t t) const;
   const Searchable& searchable(std::uint32_t t, const exact::Plane& plane);
 
@@ -69,7 +70,7 @@ class Targets {
   };
   std::vector<SheetEdges> sheet_edges_;
   std::unordered_map<std::uint32_t, Searchable> searchable_;  // by target
-  std::vector<std::unique_ptr<Adjacency>> adjacency_;         // complete; per operand, when asked for
+  std::vector<std::unique_ptr<Adjacency>> adjacency_;         // per operand, of the prepared polygons
 };
 
 }  // namespace quoin::booleans

@@ -1,6 +1,7 @@
 #include "booleans/seeds.h"
 
 #include <map>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -103,15 +104,6 @@ class Seeder {
       if (a_.patch_of[f] != none) visit(*a_.operands.bodies[c.operand], f - a_.operands.base[c.operand], a_.patch_of[f]);
   }
 
-  bool may_hold_extreme(const Box& box) const {
-    if (extreme_.size() > few) return true;
-    return std::any_of(extreme_.begin(), extreme_.end(), [&](const Extreme& e) {
-      Box point;
-      point.add(e.at);
-      return box.meets(point);
-    });
-  }
-
   /// All facets of a component at its extreme vertex, edge by edge.
   void collect_corners() {
     std::unordered_multimap<Name, std::uint32_t> wanted;
@@ -139,8 +131,13 @@ class Seeder {
       reversed.left = !u.left;
       offer_corner(u.high, reversed);
     }
-    for (const Chunk& c : a_.operands.chunks)
-      if (may_hold_extreme(c.box)) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
+    std::vector<BoxTree::Item> points(extreme_.size());
+    for (std::uint32_t c = 0; c < points.size(); ++c) points[c].box.add(extreme_[c].at);
+    const BoxTree tree(points);
+    for (const Chunk& c : a_.operands.chunks) {
+      bool near = false;
+      tree.meeting(c.box, [&](std::uint32_t) { near = true; });
+      if (near) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
         body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
           for (const bool forward : {true, false}) {
             if (!is_wanted[c.operand][forward ? u : v]) continue;
@@ -151,6 +148,7 @@ class Seeder {
           }
         });
       });
+    }
   }
 
   std::optional<Direction> direction(Name v, Name w, const std::vector<const Corner*>& edge) const {
@@ -233,11 +231,29 @@ class Seeder {
       for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets.box(t), t, t};
       tree.emplace(items);
     }
+    const auto ray_of = [&](std::uint32_t c) {
+      Box ray;
+      ray.add(extreme_[c].at);
+      ray.low[1] = INT32_MIN;
+      return ray;
+    };
+    const auto for_targets = [&](const Box& ray, auto&& visit) {
+      if (tree) return tree->meeting(ray, visit);
+      for (std::uint32_t t = 0; t < targets.size(); ++t)
+        if (targets.box(t).meets(ray)) visit(t);
+    };
+    // What the rays may meet; where many components stand above each other that is all.
+    std::vector<std::uint32_t> wanted;
+    for (std::uint32_t c = 0; c < seeds_.size() && wanted.size() <= 2 * targets.size(); ++c)
+      for_targets(ray_of(c), [&](std::uint32_t t) { wanted.push_back(t); });
+    if (wanted.size() > 2 * targets.size()) {
+      wanted.resize(targets.size());
+      std::iota(wanted.begin(), wanted.end(), 0u);
+    }
+    targets.prepare(wanted);
     for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
       const RayStart start{point(extreme_[c].name), direction_[c]};
-      Box ray;
-      ray.add(start.v.approximation);
-      ray.low[1] = INT32_MIN;
+      Box ray = ray_of(c);
       std::uint32_t nearest = none;
       exact::Plane nearest_plane{};  // oriented towards +y
       bool nearest_turned = false;   // that is against the facet's front
@@ -256,12 +272,7 @@ class Seeder {
         nearest_turned = turned;
         ray.low[1] = targets.box(t).low[1];  // nothing below is nearer
       };
-      if (tree) {
-        tree->meeting(ray, consider);
-      } else {
-        for (std::uint32_t t = 0; t < targets.size(); ++t)
-          if (targets.box(t).meets(ray)) consider(t);
-      }
+      for_targets(ray, consider);
       // The ray comes down on the side that looks towards +y.
       seeds_[c].beyond = nearest == none ? none : 2 * targets.node(nearest) + (nearest_turned ? 1 : 0);
     }
