@@ -48,9 +48,11 @@ Normal normal(const Body& body, std::uint32_t face) {
   const auto& t = body.triangles[face];
   std::array<std::array<std::int64_t, 3>, 2> e{};
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 2; ++i) e[i][k] = std::int64_t{body.grid_points[t[i + 1]].c[k]} - body.grid_points[t[0]].c[k];
+    for (std::size_t i = 0; i < 2; ++i)
+      e[i][k] = std::int64_t{body.grid_points[t[i + 1]].c[k]} - body.grid_points[t[0]].c[k];
   Normal n{};
-  for (std::size_t k = 0; k < 3; ++k) n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
+  for (std::size_t k = 0; k < 3; ++k)
+    n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
   return n;
 }
 
@@ -107,7 +109,8 @@ struct Effects {
 };
 
 /// `first`: the triangles before it are not changed by rounding.
-Effects count_effects(const Body& body, const Triangulated& mesh, const std::vector<double>& points, std::size_t first) {
+Effects count_effects(const Body& body, const Triangulated& mesh, const std::vector<double>& points,
+                      std::size_t first) {
   using Range = tbb::blocked_range<std::size_t>;
   return tbb::parallel_reduce(
       Range(first, mesh.triangles.size(), 1024), Effects{},
@@ -135,7 +138,8 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   if (body.full_at_infinity)
     return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
   Triangulated mesh = booleans::triangulated(body);
-  if (options.topology == Topology::manifold) mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
+  if (options.topology == Topology::manifold)
+    mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
   Mesh out;
   out.points = rounded_points(body, Access::lattice(*this), mesh.source, options.float32);
   if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
@@ -147,7 +151,8 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
     // Raw triangles come first.
     const bool exact = !options.float32 && grid::Rounder(Access::lattice(*this)).is_exact();
     const Effects effects = count_effects(body, mesh, out.points, exact ? body.triangles.size() : 0);
-    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed, grid::is_balanced(mesh.triangles, mesh.source.size())};
+    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed,
+               grid::is_balanced(mesh.triangles, mesh.source.size())};
   }
   return out;
 }

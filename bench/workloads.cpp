@@ -108,7 +108,8 @@ bool volumes_add_up(const Solid& result, char operation, const Expression& a, co
 
 /// (A - B) u (A n B) = A.
 bool splits_exactly(const Solid& a, const Solid& b) {
-  const Solid difference = must(evaluate(Expression(a) - b, run_options)), common = must(evaluate(Expression(a) & b, run_options));
+  const Solid difference = must(evaluate(Expression(a) - b, run_options)),
+              common = must(evaluate(Expression(a) & b, run_options));
   return must(evaluate(Expression(difference) + common, run_options)) == a;
 }
 
@@ -135,7 +136,8 @@ Outcome two(const Mesh& first, const Mesh& second, char operation) {
 }
 
 Mesh sphere(std::size_t triangles, double x) {
-  return examples::geodesic_sphere({x, 0, 0}, 1, static_cast<std::uint32_t>(std::lround(std::sqrt(double(triangles) / 20))));
+  return examples::geodesic_sphere({x, 0, 0}, 1,
+                                   static_cast<std::uint32_t>(std::lround(std::sqrt(double(triangles) / 20))));
 }
 
 Outcome chain(std::size_t length) {
@@ -196,15 +198,25 @@ const std::map<std::string, std::pair<std::size_t, std::function<Outcome(std::si
       {"spheres-union", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'u'); }}},
       {"spheres-intersection", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'i'); }}},
       {"spheres-difference", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'd'); }}},
-      {"local-edit", {1000000, [](std::size_t n) { return two(sphere(n, 0), examples::geodesic_sphere({1, 0, 0}, 0.03, 7), 'd'); }}},
-      {"bumpy", {500000, [](std::size_t n) {
-         return two(examples::bumpy_sphere({0, 0, 0}, 1, n, 1), examples::bumpy_sphere({0, 0, 0}, 1, n, 2), 'u');
-       }}},
+      {"local-edit",
+       {1000000,
+        [](std::size_t n) {
+          return two(sphere(n, 0), examples::geodesic_sphere({1, 0, 0}, 0.03, 7), 'd');
+        }}},
+      {"bumpy",
+       {500000,
+        [](std::size_t n) {
+          return two(examples::bumpy_sphere({0, 0, 0}, 1, n, 1), examples::bumpy_sphere({0, 0, 0}, 1, n, 2), 'u');
+        }}},
       {"cubes", {20, cubes}},
       {"plate", {10000, plate}},
       {"menger", {4, menger}},
       {"cloud", {1000, [](std::size_t n) { return union_of(examples::sphere_cloud(n, 1280, 3)); }}},
-      {"needles", {150, [](std::size_t n) { return union_of(examples::needles(n, {0, 0, 0}, 1, 0.01, 3, 5)); }}},
+      {"needles",
+       {150,
+        [](std::size_t n) {
+          return union_of(examples::needles(n, {0, 0, 0}, 1, 0.01, 3, 5));
+        }}},
       {"chain", {1000, chain}},
   };
   return all;
@@ -220,14 +232,17 @@ int main(int argc, char** argv) {
   const auto& [default_size, work] = workloads().at(argv[1]);
   const std::size_t size = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : default_size;
   run_options.threads = argc > 3 ? static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)) : 1;
-  grid = must(Grid::with_step(std::string(argv[1]) == "plate" || std::string(argv[1]) == "menger" || std::string(argv[1]) == "cubes"
+  grid = must(Grid::with_step(std::string(argv[1]) == "plate" || std::string(argv[1]) == "menger" ||
+                                      std::string(argv[1]) == "cubes"
                                   ? "1/65536"
                                   : "1/16777216"));
   const Outcome o = work(size);
   ExportReport report;
-  const Mesh mesh = timed(exporting, "triangulate, round, check", [&] { return must(o.result.to_triangles({}, &report)); });
+  const Mesh mesh =
+      timed(exporting, "triangulate, round, check", [&] { return must(o.result.to_triangles({}, &report)); });
   std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", argv[1], size, run_options.threads);
-  const std::array<std::pair<const char*, const Clock*>, 3> clocks{{{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
+  const std::array<std::pair<const char*, const Clock*>, 3> clocks{
+      {{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
   for (const auto& [name, clock] : clocks) {
     std::printf(", \"%s\": %.3f, \"%s_stages\": {", name, clock->sum(), name);
     const char* comma = "";
@@ -237,10 +252,12 @@ int main(int argc, char** argv) {
     }
     std::printf("}");
   }
-  std::printf(", \"peak_mb\": %ld, \"vertices\": %zu, \"triangles\": %zu, \"closed\": %s, \"flipped\": %llu, \"volume\": %.17g, \"law\": \"%s\", "
-              "\"holds\": %s}\n",
-              o.peak_kb / 1024, mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false",
-              static_cast<unsigned long long>(report.flipped), volume(o.result).convert_to<double>(), o.law.c_str(),
-              o.holds ? "true" : "false");
+  std::printf(
+      ", \"peak_mb\": %ld, \"vertices\": %zu, \"triangles\": %zu, \"closed\": %s, \"flipped\": %llu, \"volume\": "
+      "%.17g, \"law\": \"%s\", "
+      "\"holds\": %s}\n",
+      o.peak_kb / 1024, mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false",
+      static_cast<unsigned long long>(report.flipped), volume(o.result).convert_to<double>(), o.law.c_str(),
+      o.holds ? "true" : "false");
   return report.closed && o.holds ? 0 : 1;
 }

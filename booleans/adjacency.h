@@ -63,7 +63,8 @@ class Adjacency {
   }
   template <class Visit>
   void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
-    auto at = std::lower_bound(edges_.begin(), edges_.end(), u, [](const PolygonEdge& e, std::uint32_t w) { return e.from < w; });
+    auto at = std::lower_bound(edges_.begin(), edges_.end(), u,
+                               [](const PolygonEdge& e, std::uint32_t w) { return e.from < w; });
     for (; at != edges_.end() && at->from == u; ++at) visit(*at);
   }
 

@@ -20,8 +20,10 @@ class Partition {
   void unite(std::uint32_t i, std::uint32_t j) {
     i = find(i);
     j = find(j);
-    if (i < j) parent_[j] = i;
-    else parent_[i] = j;
+    if (i < j)
+      parent_[j] = i;
+    else
+      parent_[i] = j;
   }
 
  private:

@@ -56,7 +56,8 @@ class Assembler {
     return !table.empty() && table[v] != none;
   }
   std::uint32_t named(std::uint32_t operand, std::uint32_t v) {
-    std::uint32_t& name = in_table(operand, v) ? name_of_table_[a_.touched.vertex_of[operand][v]] : name_of_[operand][v];
+    std::uint32_t& name =
+        in_table(operand, v) ? name_of_table_[a_.touched.vertex_of[operand][v]] : name_of_[operand][v];
     if (name != none) return name;
     const Body& body = *a_.operands.bodies[operand];
     if (body.is_grid(v)) {
@@ -184,8 +185,10 @@ class Assembler {
         loop_.clear();
         for (std::uint32_t v : body.loop(j)) loop_.push_back(far ? named(o, v) : place(o, v));
         if (turn) std::reverse(loop_.begin(), loop_.end());
-        if (far) append_loop(loop_);
-        else add_loop(regions_.back());
+        if (far)
+          append_loop(loop_);
+        else
+          add_loop(regions_.back());
       }
       if (far) close_polygon(plane);
     }
@@ -234,9 +237,12 @@ class Assembler {
   void add_neighbour(std::uint32_t p, std::uint32_t q) {
     Place& place = places_[p];
     place.used = true;
-    if (place.neighbours[0] == none || place.neighbours[0] == q) place.neighbours[0] = q;
-    else if (place.neighbours[1] == none || place.neighbours[1] == q) place.neighbours[1] = q;
-    else place.fixed = true;
+    if (place.neighbours[0] == none || place.neighbours[0] == q)
+      place.neighbours[0] = q;
+    else if (place.neighbours[1] == none || place.neighbours[1] == q)
+      place.neighbours[1] = q;
+    else
+      place.fixed = true;
   }
 
   bool is_grid(const Place& p) const {
@@ -254,14 +260,15 @@ class Assembler {
         const Place& p = places_[i];
         if (!needed[i] || is_grid(p) != grid) continue;
         id[i] = final_id(p.name != none ? p.name
-                         : grid ? static_cast<std::uint32_t>(body_.grid_points.size())
-                                : static_cast<std::uint32_t>(body_.points.size()) | local_bit);
+                         : grid         ? static_cast<std::uint32_t>(body_.grid_points.size())
+                                        : static_cast<std::uint32_t>(body_.points.size()) | local_bit);
         if (p.name != none) continue;
         if (grid) {
           body_.grid_points.push_back(p.operand == none ? a_.vertices.grid_point(p.vertex)
                                                         : a_.operands.bodies[p.operand]->grid_points[p.vertex]);
         } else {
-          body_.points.push_back(p.operand == none ? a_.vertices.point(p.vertex) : a_.operands.bodies[p.operand]->point(p.vertex));
+          body_.points.push_back(p.operand == none ? a_.vertices.point(p.vertex)
+                                                   : a_.operands.bodies[p.operand]->point(p.vertex));
         }
       }
     }

@@ -30,10 +30,11 @@ struct Body {
   std::vector<exact::GridPoint> grid_points;
   std::vector<exact::Point> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<exact::Plane> planes;               // one a polygon
-  std::vector<std::uint32_t> polygon_loops = {0};  // polygon i has the loops polygon_loops[i] .. polygon_loops[i + 1] - 1
-  std::vector<std::uint32_t> loop_corners = {0};   // loop j has the corners loop_corners[j] .. loop_corners[j + 1] - 1
-  std::vector<std::uint32_t> corners;              // vertex ids
+  std::vector<exact::Plane> planes;  // one a polygon
+  std::vector<std::uint32_t> polygon_loops = {
+      0};  // polygon i has the loops polygon_loops[i] .. polygon_loops[i + 1] - 1
+  std::vector<std::uint32_t> loop_corners = {0};  // loop j has the corners loop_corners[j] .. loop_corners[j + 1] - 1
+  std::vector<std::uint32_t> corners;             // vertex ids
   /// The value at infinity: true for complements of bounded solids.
   bool full_at_infinity = false;
 
@@ -60,7 +61,8 @@ struct Body {
       return;
     }
     const std::size_t p = face - triangles.size();
-    for (std::uint32_t c = loop_corners[polygon_loops[p]]; c < loop_corners[polygon_loops[p + 1]]; ++c) visit(corners[c]);
+    for (std::uint32_t c = loop_corners[polygon_loops[p]]; c < loop_corners[polygon_loops[p + 1]]; ++c)
+      visit(corners[c]);
   }
   /// visit(u, v) for every directed edge of a face.
   template <class Visit>
@@ -92,7 +94,8 @@ Body complement(const Body& body);
 /// An axis-parallel box from low to high (low < high in every axis), as twelve raw triangles.
 Body box_body(const exact::GridPoint& low, const exact::GridPoint& high);
 
-/// The part of that box where the plane is <= 0, its faces exact polygons; empty or the whole box where the plane misses.
+/// The part of that box where the plane is <= 0, its faces exact polygons; empty or the whole box where the plane
+/// misses.
 Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, const exact::GridPoint& high);
 
 }  // namespace quoin::booleans

@@ -56,7 +56,8 @@ Result<Body> arrange(Arrangement a, const Expression& expression, const std::vec
   if (!stages.begin("classify and select", 0.8)) return cancelled();
   const Selection selection = select(a, expression);
   if (!selection.consistent)
-    return Error{"inconsistent", "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
+    return Error{"inconsistent",
+                 "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
   if (!stages.begin("assemble", 0.9)) return cancelled();
   Body result = assemble(a, selection);
   if constexpr (exact::checked) check(result);
@@ -85,13 +86,15 @@ bool is_simple_surface(const Body& mesh, const std::vector<Star>& star_of) {
     parts.unite(t[0], t[2]);
   }
   const auto first = parts.find(mesh.triangles[0][0]);
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) { return parts.find(t[0]) == first; });
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const auto& t) { return parts.find(t[0]) == first; });
 }
 
 }  // namespace
 
 Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {
   if (!Stages(run).begin("prove embedding", 0.0)) return cancelled();
+  crossings = 0;
   if (mesh.triangles.empty()) return mesh;
   const std::vector<Star> star_of = stars(mesh);
   const std::vector<FaceIdPair> near = improper_pairs(mesh, star_of);

@@ -39,7 +39,8 @@ BoxTree::BoxTree(const std::vector<Item>& items) {
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     std::uint32_t key = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t centre = std::int64_t{items[i].box.low[k]} + items[i].box.high[k] - 2 * std::int64_t{all.low[k]};
+      const std::int64_t centre =
+          std::int64_t{items[i].box.low[k]} + items[i].box.high[k] - 2 * std::int64_t{all.low[k]};
       key |= spread(static_cast<std::uint32_t>(centre >> shift[k])) << k;
     }
     order[i] = {key, i};
@@ -48,11 +49,14 @@ BoxTree::BoxTree(const std::vector<Item>& items) {
   ids_.reserve(items.size());
   for (const auto& o : order) ids_.push_back(items[o.second].id);
   levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made
-  add_level(items.size(), [&](std::size_t i) { return items[order[i].second].box; },
-            [&](std::size_t i) { return items[order[i].second].group; });
+  add_level(
+      items.size(), [&](std::size_t i) { return items[order[i].second].box; },
+      [&](std::size_t i) { return items[order[i].second].group; });
   while (levels_.back().blocks.size() > 1) {
     const Level& below = levels_.back();
-    const auto lanes = [&](std::size_t i) { return std::min<std::size_t>(BoxBlock::width, below.group.size() - i * BoxBlock::width); };
+    const auto lanes = [&](std::size_t i) {
+      return std::min<std::size_t>(BoxBlock::width, below.group.size() - i * BoxBlock::width);
+    };
     const auto box = [&](std::size_t i) {
       Box sum;
       for (std::uint32_t lane = 0; lane < lanes(i); ++lane) sum.add(below.blocks[i].box(lane));
@@ -60,7 +64,10 @@ BoxTree::BoxTree(const std::vector<Item>& items) {
     };
     const auto group = [&](std::size_t i) {
       const auto first = below.group.begin() + static_cast<std::ptrdiff_t>(i * BoxBlock::width);
-      return std::all_of(first, first + static_cast<std::ptrdiff_t>(lanes(i)), [&](std::uint32_t g) { return g == *first; }) ? *first : mixed;
+      return std::all_of(first, first + static_cast<std::ptrdiff_t>(lanes(i)),
+                         [&](std::uint32_t g) { return g == *first; })
+                 ? *first
+                 : mixed;
     };
     add_level(below.blocks.size(), box, group);
   }

@@ -90,13 +90,15 @@ struct BoxBlock {
       for (std::size_t k = 0; k < 3; ++k) {
         const __m128i l = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&low[k][half]));
         const __m128i h = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&high[k][half]));
-        a = _mm_or_si128(a, _mm_or_si128(_mm_cmpgt_epi32(l, _mm_set1_epi32(b.high[k])), _mm_cmpgt_epi32(_mm_set1_epi32(b.low[k]), h)));
+        a = _mm_or_si128(a, _mm_or_si128(_mm_cmpgt_epi32(l, _mm_set1_epi32(b.high[k])),
+                                         _mm_cmpgt_epi32(_mm_set1_epi32(b.low[k]), h)));
       }
       apart |= static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(a))) << half;
     }
 #else
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < width; ++i) apart |= static_cast<unsigned>(low[k][i] > b.high[k] || b.low[k] > high[k][i]) << i;
+      for (std::size_t i = 0; i < width; ++i)
+        apart |= static_cast<unsigned>(low[k][i] > b.high[k] || b.low[k] > high[k][i]) << i;
 #endif
     return ~apart & ((1u << width) - 1);
   }
@@ -215,8 +217,10 @@ class BoxTree {
       if (level == 1 && lanes != 0) lanes &= ~skip(u, y);
       for (; lanes != 0; lanes &= lanes - 1) {
         const std::uint32_t v = y * BoxBlock::width + lowest(lanes);
-        if (level == 1) visit(ids_[u], ids_[v]);
-        else cross(level - 1, u, v, same, skip, visit);
+        if (level == 1)
+          visit(ids_[u], ids_[v]);
+        else
+          cross(level - 1, u, v, same, skip, visit);
       }
     }
   }
@@ -230,8 +234,10 @@ class BoxTree {
         if (block.high[1][lowest(rest)] > block.high[1][top]) top = lowest(rest);
       left &= ~(1u << top);
       if (!block.box(top).meets(box)) continue;  // it has shrunk
-      if (level == 0) visit(ids_[b * BoxBlock::width + top]);
-      else descend(level - 1, b * BoxBlock::width + top, box, visit);
+      if (level == 0)
+        visit(ids_[b * BoxBlock::width + top]);
+      else
+        descend(level - 1, b * BoxBlock::width + top, box, visit);
     }
   }
 

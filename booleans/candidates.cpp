@@ -51,7 +51,8 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
     return true;
   }
   const std::size_t p = face - body.triangles.size();
-  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]]; ++c) {
+  for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]];
+       ++c) {
     const std::uint32_t v = body.corners[c];
     if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v])
                                : exact::side(plane, body.points[v - body.grid_points.size()])))
@@ -79,7 +80,8 @@ bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
     // Coplanar with both third corners on one side of the common edge: an overlap.
     const std::size_t i = 3 - shared_a[0] - shared_a[1], j = 3 - shared_b[0] - shared_b[1];
     if (orientation(p[0], p[1], p[2], q[j]) != 0) return false;
-    const auto n = exact::plane_through(p[0], p[1], p[2]), m = exact::plane_through(p[shared_a[0]], p[shared_a[1]], q[j]);
+    const auto n = exact::plane_through(p[0], p[1], p[2]),
+               m = exact::plane_through(p[shared_a[0]], p[shared_a[1]], q[j]);
     const auto own = exact::plane_through(p[shared_a[0]], p[shared_a[1]], p[i]);
     return n && m && own && exact::dot_sign(*m, *own) > 0;
   }
@@ -125,8 +127,8 @@ class NeighbourMask {
 
 namespace {
 
-/// Drops items that share no cell of a uniform grid with an item of another group. `work` bounds the number of cells and
-/// the number of cells that all boxes take together: cells are as fine as that allows.
+/// Drops items that share no cell of a uniform grid with an item of another group. `work` bounds the number of cells
+/// and the number of cells that all boxes take together: cells are as fine as that allows.
 class CellFilter {
  public:
   CellFilter(const std::vector<BoxTree::Item>& items, std::size_t work) {
@@ -137,8 +139,10 @@ class CellFilter {
     owner_.assign(cell_count(), none);
     for (const BoxTree::Item& i : items)
       for_cells(i.box, [&](std::uint32_t& owner) {
-        if (owner == none) owner = i.group;
-        else if (owner != i.group) owner = mixed;
+        if (owner == none)
+          owner = i.group;
+        else if (owner != i.group)
+          owner = mixed;
         return true;
       });
   }
@@ -233,16 +237,21 @@ std::vector<BoxTree::Item> near_faces(const Operands& operands) {
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   const std::vector<BoxTree::Item> items = near_faces(operands);
   std::vector<FaceIdPair> pairs;
-  BoxTree(items).foreign_pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  BoxTree(items).foreign_pairs([&](std::uint32_t f, std::uint32_t g) {
+    pairs.push_back({std::min(f, g), std::max(f, g)});
+  });
   const auto box_of = [&](std::uint32_t face) -> const Box& {  // items are in the order of their ids
-    return std::lower_bound(items.begin(), items.end(), face, [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })->box;
+    return std::lower_bound(items.begin(), items.end(), face,
+                            [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })
+        ->box;
   };
   const auto apart = [&](std::uint32_t face, std::uint32_t other) {
     const auto [o, f] = operands.local(face);
     const auto [p, g] = operands.local(other);
     const Body& body = *operands.bodies[p];
     const exact::Plane plane = operands.bodies[o]->sign_plane(f);
-    return corner_count(body, g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other)) : strictly_on_one_side(plane, body, g);
+    return corner_count(body, g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other))
+                                                       : strictly_on_one_side(plane, body, g);
   };
   return filtered(pairs, [&](const FaceIdPair& pair) { return !apart(pair[0], pair[1]) && !apart(pair[1], pair[0]); });
 }
@@ -253,7 +262,9 @@ std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>
   std::vector<FaceIdPair> pairs;
   const BoxTree tree(items);
   const NeighbourMask neighbours(mesh, star_of, tree.ids());
-  tree.pairs_but(neighbours, [&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
+  tree.pairs_but(neighbours, [&](std::uint32_t f, std::uint32_t g) {
+    pairs.push_back({std::min(f, g), std::max(f, g)});
+  });
   return filtered(pairs, [&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
 }
 
@@ -264,8 +275,7 @@ class Prover {
  public:
   explicit Prover(const Body& body) : body_(body), adjacency_(body) {
     for (std::uint32_t f = 0; f < body.face_count(); ++f)
-      if (f >= body.triangles.size())
-        for_points(f, [&](std::uint32_t v) { points_.push_back({v, f}); });
+      if (f >= body.triangles.size()) for_points(f, [&](std::uint32_t v) { points_.push_back({v, f}); });
     std::sort(points_.begin(), points_.end());
   }
 
@@ -336,7 +346,8 @@ std::vector<FaceIdPair> doubtful_pairs(const Body& body) {
   for (std::uint32_t f = 0; f < items.size(); ++f)
     if (prover.many_corners(f)) pairs.push_back({f, f});
   BoxTree(items).pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
-  return filtered(pairs, [&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
+  return filtered(pairs,
+                  [&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
 }
 
 }  // namespace quoin::booleans

@@ -36,7 +36,8 @@ class Canonizer {
 
  private:
   int compare_along(int k, std::uint32_t u, std::uint32_t v) const {
-    const double a = body_.approximation(u)[static_cast<std::size_t>(k)], b = body_.approximation(v)[static_cast<std::size_t>(k)];
+    const double a = body_.approximation(u)[static_cast<std::size_t>(k)],
+                 b = body_.approximation(v)[static_cast<std::size_t>(k)];
     if (a != b) return a < b ? -1 : 1;
     if (u == v || (body_.is_grid(u) && body_.is_grid(v))) return 0;
     return exact::compare_along(k, body_.point(u), body_.point(v));
@@ -78,7 +79,9 @@ class Canonizer {
     if (f < triangles && g < triangles) {
       const auto &a = body_.triangles[f], &b = body_.triangles[g];
       const auto p = [&](std::uint32_t v) -> const exact::GridPoint& { return body_.grid_points[v]; };
-      const auto normal = [&](const std::array<std::uint32_t, 3>& t) { return exact::plane_through(p(t[0]), p(t[1]), p(t[2])); };
+      const auto normal = [&](const std::array<std::uint32_t, 3>& t) {
+        return exact::plane_through(p(t[0]), p(t[1]), p(t[2]));
+      };
       // Cheap rejection before the planes are reduced.
       for (std::uint32_t v : b)
         if (orientation(p(a[0]), p(a[1]), p(a[2]), p(v)) != 0) return false;
@@ -105,9 +108,12 @@ class Canonizer {
     needed_.assign(body_.vertex_count(), 0);
     const auto add = [&](std::uint32_t v, std::uint32_t w) {
       auto& n = neighbours[v];
-      if (n[0] == none || n[0] == w) n[0] = w;
-      else if (n[1] == none || n[1] == w) n[1] = w;
-      else needed_[v] = 1;
+      if (n[0] == none || n[0] == w)
+        n[0] = w;
+      else if (n[1] == none || n[1] == w)
+        n[1] = w;
+      else
+        needed_[v] = 1;
     };
     for (const HalfEdge& e : edges_) {
       if (!e.boundary) continue;
@@ -166,8 +172,9 @@ class Canonizer {
     }
     for (auto& x : isolated_) x[0] = groups_.find(x[0]);
     std::sort(isolated_.begin(), isolated_.end());
-    std::sort(half_edges_.begin(), half_edges_.end(),
-              [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to); });
+    std::sort(half_edges_.begin(), half_edges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
+      return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
+    });
     group_start_ = {0};
     for (std::uint32_t i = 1; i <= half_edges_.size(); ++i)
       if (i == half_edges_.size() || half_edges_[i].face != half_edges_[i - 1].face) group_start_.push_back(i);
@@ -201,7 +208,8 @@ class Canonizer {
   }
   static bool same_way(const exact::Plane& plane, const Direction& c, const Direction& d) {
     for (int k = 0; k < 3; ++k)
-      if (const int s = exact::cross_sign(plane, c.line, k)) return s * c.sign == exact::cross_sign(plane, d.line, k) * d.sign;
+      if (const int s = exact::cross_sign(plane, c.line, k))
+        return s * c.sign == exact::cross_sign(plane, d.line, k) * d.sign;
     return false;
   }
 
@@ -220,8 +228,10 @@ class Canonizer {
       while (j < incoming_.size() && half_edges_[incoming_[j]].to == v) ++j;
       while (out_end < end && half_edges_[out_end].from == v) ++out_end;
       assert(out_end - out == j - i);
-      if (j - i == 1) next_[incoming_[i] - begin] = static_cast<std::uint32_t>(out);
-      else turn_at_pinch(begin, i, j, out, out_end, plane);
+      if (j - i == 1)
+        next_[incoming_[i] - begin] = static_cast<std::uint32_t>(out);
+      else
+        turn_at_pinch(begin, i, j, out, out_end, plane);
       i = j;
       out = out_end;
     }
@@ -235,8 +245,10 @@ class Canonizer {
       std::uint32_t edge;
     };
     std::vector<Spoke> spokes;
-    for (std::size_t k = out; k < out_end; ++k) spokes.push_back({direction(plane, half_edges_[k], false), true, static_cast<std::uint32_t>(k)});
-    for (std::size_t k = i; k < j; ++k) spokes.push_back({direction(plane, half_edges_[incoming_[k]], true), false, incoming_[k]});
+    for (std::size_t k = out; k < out_end; ++k)
+      spokes.push_back({direction(plane, half_edges_[k], false), true, static_cast<std::uint32_t>(k)});
+    for (std::size_t k = i; k < j; ++k)
+      spokes.push_back({direction(plane, half_edges_[incoming_[k]], true), false, incoming_[k]});
     const Direction reference = spokes[0].d;
     const auto quarter = [&](const Spoke& s) {  // clockwise from the reference
       const int t = turn(plane, reference, s.d);
@@ -254,8 +266,10 @@ class Canonizer {
     std::uint32_t following = none;
     for (std::size_t round = 0; round < 2; ++round)
       for (std::size_t k = spokes.size(); k-- > 0;) {
-        if (spokes[k].leaves) following = spokes[k].edge;
-        else next_[spokes[k].edge - begin] = following;
+        if (spokes[k].leaves)
+          following = spokes[k].edge;
+        else
+          next_[spokes[k].edge - begin] = following;
       }
   }
 
@@ -319,8 +333,8 @@ class Canonizer {
 
   const Body& body_;
   Partition groups_;
-  std::vector<HalfEdge> edges_;       // all, by undirected edge
-  std::vector<HalfEdge> half_edges_;  // the boundary ones, by group
+  std::vector<HalfEdge> edges_;                         // all, by undirected edge
+  std::vector<HalfEdge> half_edges_;                    // the boundary ones, by group
   std::vector<std::array<std::uint32_t, 2>> isolated_;  // (face or group, vertex)
   std::vector<std::uint8_t> needed_;
   std::vector<std::uint32_t> rank_;
@@ -344,8 +358,10 @@ Body body_of(const Canonical& form) {
       if (is_grid(v) != grid) continue;
       id[v] = static_cast<std::uint32_t>(body.vertex_count());
       const auto& a = form.vertices[v].approximation;
-      if (grid) body.grid_points.push_back({{std::int32_t(a[0]), std::int32_t(a[1]), std::int32_t(a[2])}});
-      else body.points.push_back(form.vertices[v]);
+      if (grid)
+        body.grid_points.push_back({{std::int32_t(a[0]), std::int32_t(a[1]), std::int32_t(a[2])}});
+      else
+        body.points.push_back(form.vertices[v]);
     }
   for (std::size_t f = 0; f < form.face_count(); ++f) {
     const std::uint32_t first = form.face_loops[f], last = form.face_loops[f + 1];
@@ -357,7 +373,8 @@ Body body_of(const Canonical& form) {
     }
     body.planes.push_back(form.planes[f]);
     for (std::uint32_t j = first; j < last; ++j) {
-      for (std::uint32_t c = form.loop_corners[j]; c < form.loop_corners[j + 1]; ++c) body.corners.push_back(id[form.corners[c]]);
+      for (std::uint32_t c = form.loop_corners[j]; c < form.loop_corners[j + 1]; ++c)
+        body.corners.push_back(id[form.corners[c]]);
       body.loop_corners.push_back(static_cast<std::uint32_t>(body.corners.size()));
     }
     body.polygon_loops.push_back(static_cast<std::uint32_t>(body.loop_corners.size() - 1));

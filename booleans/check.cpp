@@ -18,7 +18,9 @@ void require(bool holds, const char* law) {
 }  // namespace
 
 void check(const TouchedFaces& touched, const VertexTable& vertices, const PlaneTable& planes) {
-  const auto on = [&](std::uint32_t v, std::uint32_t p) { return vertices.side(v, planes[p], planes.approximation(p)) == 0; };
+  const auto on = [&](std::uint32_t v, std::uint32_t p) {
+    return vertices.side(v, planes[p], planes.approximation(p)) == 0;
+  };
   for (const TouchedFace& f : touched.faces) {
     std::map<std::uint32_t, int> balance;
     for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
@@ -35,7 +37,9 @@ void check(const TouchedFaces& touched, const VertexTable& vertices, const Plane
 
 void check(const Sheet& sheet, const VertexTable& vertices, const PlaneTable& planes) {
   const Frame frame(planes[sheet.plane]);
-  const auto on = [&](std::uint32_t v, std::uint32_t p) { return vertices.side(v, planes[p], planes.approximation(p)) == 0; };
+  const auto on = [&](std::uint32_t v, std::uint32_t p) {
+    return vertices.side(v, planes[p], planes.approximation(p)) == 0;
+  };
   for (const Sheet::Element& e : sheet.elements) {
     require(on(e.a, sheet.plane) && on(e.b, sheet.plane), "an element lies on its sheet");
     require(on(e.a, e.line) && on(e.b, e.line), "an element lies on its line");

@@ -25,8 +25,10 @@ class Connector {
     for_untouched(operand, [&](std::uint32_t f) {
       std::uint32_t first = none;
       body.for_corners(f, [&](std::uint32_t v) {
-        if (first == none) first = v;
-        else parts.unite(first, v);
+        if (first == none)
+          first = v;
+        else
+          parts.unite(first, v);
       });
     });
     std::vector<std::uint32_t> patch(body.vertex_count(), none);
@@ -51,8 +53,10 @@ class Connector {
           ++count;
           if (g != f && !forward) mate = g;
         });
-        if (count != 2 || mate == none) crowded.push_back({f, u, v});
-        else if (untouched(operand, mate)) parts.unite(f, mate);
+        if (count != 2 || mate == none)
+          crowded.push_back({f, u, v});
+        else if (untouched(operand, mate))
+          parts.unite(f, mate);
       });
     });
     std::vector<std::uint32_t> patch(body.face_count(), none);
@@ -100,7 +104,8 @@ class Connector {
     const Body& body = *a_.operands.bodies[operand];
     std::uint32_t& id = a_.touched.vertex_of[operand][v];
     if (id == none)
-      id = body.is_grid(v) ? a_.vertices.id(body.grid_points[v]) : a_.vertices.id(body.points[v - body.grid_points.size()]);
+      id = body.is_grid(v) ? a_.vertices.id(body.grid_points[v])
+                           : a_.vertices.id(body.points[v - body.grid_points.size()]);
     return id;
   }
   void add_use(std::uint32_t operand, std::uint32_t f, std::uint32_t from, std::uint32_t to) {
@@ -121,8 +126,10 @@ void connect(Arrangement& a, Glue glue) {
   Connector c(a);
   c.number_facets();
   for (std::uint32_t i = 0; i < a.operands.bodies.size(); ++i) {
-    if (glue == Glue::vertices) c.glue_over_vertices(i);
-    else c.glue_over_edges(i);
+    if (glue == Glue::vertices)
+      c.glue_over_vertices(i);
+    else
+      c.glue_over_edges(i);
   }
   c.collect_uses();
 }

@@ -57,7 +57,8 @@ class Worker {
   int dominant_axis(const exact::Plane& p, const exact::Plane& q) const {
     const auto a = exact::approximation(p).n, b = exact::approximation(q).n;
     std::array<double, 3> c{};
-    for (std::size_t k = 0; k < 3; ++k) c[k] = std::fabs(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k)
+      c[k] = std::fabs(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
     const int best = static_cast<int>(std::max_element(c.begin(), c.end()) - c.begin());
     for (int k = 0; k < 3; ++k)
       if (exact::cross_sign(p, q, (best + k) % 3) != 0) return (best + k) % 3;
@@ -95,7 +96,9 @@ class Worker {
     merge(direction, trace.stops);
   }
 
-  int side(std::uint32_t v, std::uint32_t plane) const { return vertices_.side(v, planes_[plane], planes_.approximation(plane)); }
+  int side(std::uint32_t v, std::uint32_t plane) const {
+    return vertices_.side(v, planes_[plane], planes_.approximation(plane));
+  }
 
   static bool contains(const Box& box, const std::array<double, 3>& p) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -271,7 +274,8 @@ Contacts find_contacts(const TouchedFaces& touched, const std::vector<FacePair>&
   constexpr std::size_t chunk = 512;
   std::vector<Worker> workers((pairs.size() + chunk - 1) / chunk, Worker(touched, vertices, planes));
   tbb::parallel_for(std::size_t{0}, workers.size(), [&](std::size_t c) {
-    for (std::size_t i = c * chunk; i < std::min(pairs.size(), (c + 1) * chunk); ++i) workers[c].meet(pairs[i][0], pairs[i][1]);
+    for (std::size_t i = c * chunk; i < std::min(pairs.size(), (c + 1) * chunk); ++i)
+      workers[c].meet(pairs[i][0], pairs[i][1]);
   });
   Contacts all;
   for (Worker& w : workers) {

@@ -11,8 +11,8 @@ void Drawing::add_face(std::uint32_t face) {
   for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
     const BoundaryEdge& edge = touched_.edges[e];
     const bool forward = before(edge.from, edge.to);
-    segments_.push_back({forward ? edge.from : edge.to, forward ? edge.to : edge.from, edge.other, face,
-                         forward == f.along ? 1 : -1});
+    segments_.push_back(
+        {forward ? edge.from : edge.to, forward ? edge.to : edge.from, edge.other, face, forward == f.along ? 1 : -1});
   }
   for (std::uint32_t i = f.isolated_begin; i < f.isolated_end; ++i) points_.push_back(touched_.isolated[i]);
 }
@@ -58,7 +58,8 @@ void Drawing::close_pairs(Visit visit) const {
     }
     for (std::uint32_t i = 0; i < n; ++i)
       for (std::uint32_t j = i + 1; j < total; ++j)
-        if (box[i].ul <= box[j].uh && box[j].ul <= box[i].uh && box[i].vl <= box[j].vh && box[j].vl <= box[i].vh) visit(i, j);
+        if (box[i].ul <= box[j].uh && box[j].ul <= box[i].uh && box[i].vl <= box[j].vh && box[j].vl <= box[i].vh)
+          visit(i, j);
     return;
   }
   std::vector<BoxTree::Item> items(total);
@@ -79,8 +80,10 @@ void Drawing::find_splits() {
   unite_equal_segments();
   const auto n = static_cast<std::uint32_t>(segments_.size());
   close_pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (j < n) split_pair(i, j);
-    else split_by_point(i, points_[j - n]);
+    if (j < n)
+      split_pair(i, j);
+    else
+      split_by_point(i, points_[j - n]);
   });
 }
 
@@ -159,13 +162,15 @@ void Drawing::make_elements(Sheet& sheet) {
   std::vector<std::uint32_t> change_start(segments_.size() + 1);
   for (const Change& c : segment_changes_) ++change_start[c.element + 1];
   std::partial_sum(change_start.begin(), change_start.end(), change_start.begin());
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& p, const Piece& q) { return std::tie(p.a, p.b, p.segment) < std::tie(q.a, q.b, q.segment); });
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+    return std::tie(p.a, p.b, p.segment) < std::tie(q.a, q.b, q.segment);
+  });
   for (const Piece& p : pieces) {
     if (sheet.elements.empty() || sheet.elements.back().a != p.a || sheet.elements.back().b != p.b)
       sheet.elements.push_back({p.a, p.b, p.line});
     for (std::uint32_t c = change_start[p.segment]; c < change_start[p.segment + 1]; ++c)
-      changes_.push_back({static_cast<std::uint32_t>(sheet.elements.size() - 1), segment_changes_[c].face, segment_changes_[c].by});
+      changes_.push_back(
+          {static_cast<std::uint32_t>(sheet.elements.size() - 1), segment_changes_[c].face, segment_changes_[c].by});
   }
   direction_.reserve(sheet.elements.size());
   for (const auto& e : sheet.elements) direction_.push_back(frame_.direction(planes_[plane_], planes_[e.line]));
@@ -203,7 +208,8 @@ void Drawing::sort_around_vertices(Sheet& sheet) {
     if ((g & 1) != (h & 1)) return (g & 1) == 0;
     const std::uint32_t e = g / 2, f = h / 2;
     return direction_[e] * direction_[f] *
-               exact::turn(planes_[plane_], planes_[sheet.elements[e].line], planes_[sheet.elements[f].line]) > 0;
+               exact::turn(planes_[plane_], planes_[sheet.elements[e].line], planes_[sheet.elements[f].line]) >
+           0;
   };
   sheet.clockwise.resize(rank_.size());
   for (std::size_t v = 0; v + 1 < first_out_.size(); ++v) {
@@ -244,8 +250,8 @@ void Drawing::find_components() {
   }
 }
 
-/// +1 when the vertex lies above (left of) the element's line, 0 on it, -1 below. Left of n x n_line is where the line's
-/// plane is negative.
+/// +1 when the vertex lies above (left of) the element's line, 0 on it, -1 below. Left of n x n_line is where the
+/// line's plane is negative.
 int Drawing::above(const Sheet& sheet, std::uint32_t vertex, std::uint32_t e) const {
   return -direction_[e] * side(vertex, sheet.elements[e].line);
 }
@@ -340,9 +346,12 @@ void Drawing::cover_facets(Sheet& sheet) {
       // Half-edge 2e has the left side here, so going to the right takes the change away.
       const int sign = h & 1 ? 1 : -1;
       for (std::uint32_t c = change_start[h / 2]; c < change_start[h / 2 + 1]; ++c) {
-        const auto same = std::find_if(cover[to].begin(), cover[to].end(), [&](const auto& x) { return x.first == changes_[c].face; });
-        if (same == cover[to].end()) cover[to].push_back({changes_[c].face, sign * changes_[c].by});
-        else same->second += sign * changes_[c].by;
+        const auto same = std::find_if(cover[to].begin(), cover[to].end(),
+                                       [&](const auto& x) { return x.first == changes_[c].face; });
+        if (same == cover[to].end())
+          cover[to].push_back({changes_[c].face, sign * changes_[c].by});
+        else
+          same->second += sign * changes_[c].by;
       }
       std::erase_if(cover[to], [](const auto& x) { return x.second == 0; });
     }

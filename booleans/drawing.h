@@ -39,7 +39,9 @@ class Drawing {
   struct Lower;
 
   bool before(std::uint32_t a, std::uint32_t b) const { return frame_.compare(vertices_, a, b) < 0; }
-  int side(std::uint32_t v, std::uint32_t line) const { return vertices_.side(v, planes_[line], planes_.approximation(line)); }
+  int side(std::uint32_t v, std::uint32_t line) const {
+    return vertices_.side(v, planes_[line], planes_.approximation(line));
+  }
   bool strictly_inside(std::uint32_t v, const Segment& s) const { return before(s.a, v) && before(v, s.b); }
 
   void unite_equal_segments();
@@ -65,7 +67,7 @@ class Drawing {
   const PlaneTable& planes_;
   const Frame frame_;
 
-  std::vector<Segment> segments_;       // after unite_equal_segments: distinct {a, b}, their changes in segment_changes_
+  std::vector<Segment> segments_;  // after unite_equal_segments: distinct {a, b}, their changes in segment_changes_
   std::vector<Change> segment_changes_;  // element = segment index
   std::vector<std::uint32_t> points_;
   std::vector<Split> splits_;
@@ -79,11 +81,11 @@ class Drawing {
   std::vector<std::uint32_t> out_;         // half-edges by origin, counter-clockwise from "straight down"
   std::vector<std::uint32_t> loop_;        // per half-edge
   std::uint32_t loop_count_ = 0;
-  std::vector<std::uint32_t> component_;   // per vertex
-  std::vector<std::uint32_t> leftmost_;    // per component: index of its first vertex
+  std::vector<std::uint32_t> component_;  // per vertex
+  std::vector<std::uint32_t> leftmost_;   // per component: index of its first vertex
   std::vector<std::uint32_t> facet_of_loop_;
   std::vector<std::uint32_t> facet_of_component_;  // the facet around each component
-  std::uint32_t facet_total_ = 0;          // facet 0 is the unbounded one
+  std::uint32_t facet_total_ = 0;                  // facet 0 is the unbounded one
 };
 
 }  // namespace quoin::booleans

@@ -67,13 +67,15 @@ class SheetProof {
   std::optional<std::uint32_t> in_facets() const {
     for (std::uint32_t h = 0; h < sheet_.facet.size(); ++h) {
       const std::uint32_t f = sheet_.facet[h];
-      if ((f == none && sheet_.facet[h ^ 1] == none) || (f != none && sheet_.cover_start[f + 1] - sheet_.cover_start[f] != 1))
+      if ((f == none && sheet_.facet[h ^ 1] == none) ||
+          (f != none && sheet_.cover_start[f + 1] - sheet_.cover_start[f] != 1))
         return sheet_.origin(h);
     }
     std::vector<std::uint32_t> covers = sheet_.cover;
     std::sort(covers.begin(), covers.end());
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (i >= covers.size() || covers[i] != faces_[i]) return touched_.edges[touched_.faces[faces_[i]].edges_begin].from;
+      if (i >= covers.size() || covers[i] != faces_[i])
+        return touched_.edges[touched_.faces[faces_[i]].edges_begin].from;
     if (covers.size() > faces_.size()) return touched_.edges[touched_.faces[faces_[0]].edges_begin].from;
     return std::nullopt;
   }

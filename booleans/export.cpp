@@ -49,7 +49,8 @@ class PlanePoints {
 };
 
 /// Triangulates polygon p of the body.
-void triangulate_polygon(const Body& body, std::uint32_t p, std::vector<FaceTriangle>& triangles, std::vector<std::uint32_t>& ids) {
+void triangulate_polygon(const Body& body, std::uint32_t p, std::vector<FaceTriangle>& triangles,
+                         std::vector<std::uint32_t>& ids) {
   const std::uint32_t first = body.polygon_loops[p], last = body.polygon_loops[p + 1];
   ids.assign(body.corners.begin() + body.loop_corners[first], body.corners.begin() + body.loop_corners[last]);
   std::sort(ids.begin(), ids.end());
@@ -67,7 +68,8 @@ void triangulate_polygon(const Body& body, std::uint32_t p, std::vector<FaceTria
   }
   const PlanePoints points(body, body.planes[p], ids);
   triangles.clear();
-  [[maybe_unused]] const bool closed = triangulate(points, static_cast<std::uint32_t>(ids.size()), edges, isolated, triangles);
+  [[maybe_unused]] const bool closed =
+      triangulate(points, static_cast<std::uint32_t>(ids.size()), edges, isolated, triangles);
   assert(closed);
   if (triangles.size() > 1) {
     std::vector<std::array<double, 2>> shape(ids.size());
@@ -100,8 +102,9 @@ struct EdgeList {
     std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
     for_edges([&](const Entry& e) { entries[at[e.low]++] = e; });
     for (std::uint32_t v = 0; v < n; ++v)
-      std::sort(entries.begin() + start[v], entries.begin() + start[v + 1],
-                [](const Entry& a, const Entry& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
+      std::sort(entries.begin() + start[v], entries.begin() + start[v + 1], [](const Entry& a, const Entry& b) {
+        return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+      });
   }
   template <class Visit>
   void for_runs(Visit&& visit) const {
@@ -149,8 +152,10 @@ class Separator {
   Separator(const Body& body, const Triangulated& mesh) : mesh_(mesh), edges_(mesh) {
     edges_.for_runs([&](std::span<const EdgeList::Entry> run) {
       if (run.size() == 1) return;  // its other triangle has no part in this
-      if (run.size() == 2) pairs_.push_back({run[0].corner, run[1].corner});
-      else crowded_.push_back({around(body, run), false});
+      if (run.size() == 2)
+        pairs_.push_back({run[0].corner, run[1].corner});
+      else
+        crowded_.push_back({around(body, run), false});
     });
   }
 
@@ -199,8 +204,9 @@ class Separator {
     const exact::Point low = body.point(mesh_.source[run[0].low]), high = body.point(mesh_.source[run[0].high]);
     int axis = -1, direction = 0;
     while (direction == 0) direction = exact::compare_along(++axis, high, low);
-    sort_around(order, axis, direction, [&](std::uint32_t i) -> const exact::Plane& { return planes[i]; },
-                [&](std::uint32_t i) { return forward(run[i].corner); });
+    sort_around(
+        order, axis, direction, [&](std::uint32_t i) -> const exact::Plane& { return planes[i]; },
+        [&](std::uint32_t i) { return forward(run[i].corner); });
     for (std::uint32_t& i : order) i = run[i].corner;
     return order;
   }

@@ -37,10 +37,18 @@ bool Evaluator::evaluate(std::uint32_t node) const {
   const auto& n = expression_.nodes[node];
   bool v = false;
   switch (n.rule) {
-    case Rule::operand: v = winding_[n.operand] > 0; break;
-    case Rule::any: v = true_children_[node] > 0; break;
-    case Rule::all: v = true_children_[node] == children_[node]; break;
-    case Rule::odd: v = true_children_[node] % 2 == 1; break;
+    case Rule::operand:
+      v = winding_[n.operand] > 0;
+      break;
+    case Rule::any:
+      v = true_children_[node] > 0;
+      break;
+    case Rule::all:
+      v = true_children_[node] == children_[node];
+      break;
+    case Rule::odd:
+      v = true_children_[node] % 2 == 1;
+      break;
   }
   return v != n.negated;
 }

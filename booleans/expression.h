@@ -20,8 +20,8 @@ struct Expression {
   struct Node {
     Rule rule = Rule::operand;
     bool negated = false;
-    std::uint32_t operand = 0;                // leaves only
-    std::uint32_t parent = 0xFFFFFFFFu;       // none for the root
+    std::uint32_t operand = 0;           // leaves only
+    std::uint32_t parent = 0xFFFFFFFFu;  // none for the root
   };
   std::vector<Node> nodes;
 
@@ -49,8 +49,8 @@ class Evaluator {
 
   const Expression& expression_;
   std::vector<int> winding_;
-  std::vector<std::uint32_t> leaf_start_, leaves_;        // leaves by operand
-  std::vector<std::uint32_t> children_, true_children_;   // counts by node
+  std::vector<std::uint32_t> leaf_start_, leaves_;       // leaves by operand
+  std::vector<std::uint32_t> children_, true_children_;  // counts by node
   std::vector<std::uint8_t> value_;
 };
 

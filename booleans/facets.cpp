@@ -4,7 +4,8 @@
 
 namespace quoin::booleans {
 
-Targets::Targets(const Arrangement& a, const Box& region) : a_(a), sheet_edges_(a.sheets.size()), adjacency_(a.operands.bodies.size()) {
+Targets::Targets(const Arrangement& a, const Box& region)
+    : a_(a), sheet_edges_(a.sheets.size()), adjacency_(a.operands.bodies.size()) {
   for (const Chunk& c : a.operands.chunks) {
     if (!c.box.meets(region)) continue;
     for (std::uint32_t f = c.begin; f < c.end; ++f) {
@@ -116,7 +117,8 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
     const SheetEdges& edges = sheet_edges_[target.sheet];
     for (std::uint32_t i = edges.start[target.index]; i < edges.start[target.index + 1]; ++i) {
       const std::uint32_t h = edges.half_edges[i];
-      visit(Edge{a_.vertices.point(sheet.origin(h)), a_.vertices.point(sheet.target(h)), a_.planes[sheet.elements[h / 2].line]});
+      visit(Edge{a_.vertices.point(sheet.origin(h)), a_.vertices.point(sheet.target(h)),
+                 a_.planes[sheet.elements[h / 2].line]});
     }
     return;
   }

@@ -23,7 +23,8 @@ inline bool is_one_fan(std::span<Spoke> star) {
   const bool sorted = star.size() > few;
   if (sorted) std::sort(star.begin(), star.end(), [](const Spoke& s, const Spoke& t) { return s.a < t.a; });
   const auto beginning_at = [&](std::uint32_t a) {
-    if (sorted) return std::lower_bound(star.begin(), star.end(), a, [](const Spoke& s, std::uint32_t w) { return s.a < w; });
+    if (sorted)
+      return std::lower_bound(star.begin(), star.end(), a, [](const Spoke& s, std::uint32_t w) { return s.a < w; });
     return std::find_if(star.begin(), star.end(), [&](const Spoke& s) { return s.a == a; });
   };
   // The walk a -> b is a cycle of all spokes exactly when it comes back to its start after as many steps, not earlier:

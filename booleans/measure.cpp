@@ -91,8 +91,10 @@ Rational volume(const Body& body) {
 
 double approximate_area(const Body& body) {
   double area = 0;
-  const auto twice = [](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
-    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
+  const auto twice = [](const std::array<double, 3>& p, const std::array<double, 3>& q,
+                        const std::array<double, 3>& r) {
+    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1],
+                 bz = r[2] - p[2];
     return std::array<double, 3>{ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
   };
   for (const auto& t : body.triangles) {
@@ -105,7 +107,8 @@ double approximate_area(const Body& body) {
     for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
       const auto loop = body.loop(j);
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const auto c = twice(origin, body.approximation(loop[i]), body.approximation(loop[i + 1 < loop.size() ? i + 1 : 0]));
+        const auto c =
+            twice(origin, body.approximation(loop[i]), body.approximation(loop[i + 1 < loop.size() ? i + 1 : 0]));
         for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
       }
     }

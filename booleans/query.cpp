@@ -11,7 +11,9 @@ namespace {
 using exact::Rational;
 using RationalPoint = std::array<Rational, 3>;
 
-RationalPoint rational(const exact::Point& p) { return {exact::coordinate(p, 0), exact::coordinate(p, 1), exact::coordinate(p, 2)}; }
+RationalPoint rational(const exact::Point& p) {
+  return {exact::coordinate(p, 0), exact::coordinate(p, 1), exact::coordinate(p, 2)};
+}
 
 Rational value(const exact::Plane& plane, const RationalPoint& p) {
   ++exact::counters().rational;
@@ -20,8 +22,8 @@ Rational value(const exact::Plane& plane, const RationalPoint& p) {
   return r;
 }
 
-/// Does the projection of the face along axis k cover the point, shifted by (-eps, -eps^2) in the two other axes (u, v)?
-/// `on_edge` tells whether the point lies on the projection of an edge.
+/// Does the projection of the face along axis k cover the point, shifted by (-eps, -eps^2) in the two other axes (u,
+/// v)? `on_edge` tells whether the point lies on the projection of an edge.
 bool covers(const Body& body, std::uint32_t face, const RationalPoint& p, std::size_t k, bool& on_edge) {
   const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
   bool odd = false;
@@ -47,7 +49,8 @@ int locate(const Body& body, const RationalPoint& point) {
   int winding = body.full_at_infinity ? 1 : 0;
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
     const Box box = face_box(body, f);
-    if (!in_range(point[1], box.low[1], box.high[1]) || !in_range(point[2], box.low[2], box.high[2]) || point[0] < box.low[0])
+    if (!in_range(point[1], box.low[1], box.high[1]) || !in_range(point[2], box.low[2], box.high[2]) ||
+        point[0] < box.low[0])
       continue;
     const exact::Plane plane = body.plane(f);
     const Rational at = value(plane, point);
@@ -90,7 +93,8 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
     const auto& t = body.triangles[f];
     for (std::uint32_t v : t)
       if (!body.is_grid(v)) return name + " is a raw triangle with a derived vertex";
-    if (!exact::plane_through(body.grid_points[t[0]], body.grid_points[t[1]], body.grid_points[t[2]])) return name + " has no area";
+    if (!exact::plane_through(body.grid_points[t[0]], body.grid_points[t[1]], body.grid_points[t[2]]))
+      return name + " has no area";
     return std::nullopt;
   }
   const auto p = f - static_cast<std::uint32_t>(body.triangles.size());
@@ -105,8 +109,10 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
   std::optional<std::string> message;
   body.for_corners(f, [&](std::uint32_t v) {
     if (message) return;
-    if (v >= body.vertex_count()) message = name + " names a vertex that does not exist";
-    else if (exact::side(plane, body.point(v)) != 0) message = name + " has a corner off its plane: vertex " + std::to_string(v);
+    if (v >= body.vertex_count())
+      message = name + " names a vertex that does not exist";
+    else if (exact::side(plane, body.point(v)) != 0)
+      message = name + " has a corner off its plane: vertex " + std::to_string(v);
   });
   return message;
 }
@@ -114,11 +120,14 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
 std::optional<std::string> balance_fault(const Body& body) {
   std::vector<std::array<std::uint32_t, 3>> edges;  // low, high, forward
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
-    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({std::min(u, v), std::max(u, v), u < v}); });
+    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
+      edges.push_back({std::min(u, v), std::max(u, v), u < v});
+    });
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     std::int64_t balance = 0;
-    for (; j < edges.size() && edges[j][0] == edges[i][0] && edges[j][1] == edges[i][1]; ++j) balance += edges[j][2] ? 1 : -1;
+    for (; j < edges.size() && edges[j][0] == edges[i][0] && edges[j][1] == edges[i][1]; ++j)
+      balance += edges[j][2] ? 1 : -1;
     if (balance != 0)
       return "the edge from vertex " + std::to_string(edges[i][0]) + " to vertex " + std::to_string(edges[i][1]) +
              " is not balanced by its reverse";
@@ -132,7 +141,8 @@ std::optional<std::string> fault(const Body& body) {
   for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
     const auto a = body.approximation(v);
     for (double x : a)
-      if (std::fabs(x) > double(exact::world)) return "vertex " + std::to_string(v) + " lies outside the world of +-2^29 grid steps";
+      if (std::fabs(x) > double(exact::world))
+        return "vertex " + std::to_string(v) + " lies outside the world of +-2^29 grid steps";
   }
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
     if (auto message = face_fault(body, f)) return message;

@@ -18,10 +18,10 @@ constexpr Name outside_table = Name{1} << 63;
 struct Corner {
   Name w;
   std::uint32_t node;
-  exact::Plane plane;                 // canonical
-  std::optional<exact::Plane> line;   // another plane through the edge
-  bool left;                          // left of v -> w, seen from the canonical normal
-  bool turned;                        // patches: outward is against the canonical normal
+  exact::Plane plane;                // canonical
+  std::optional<exact::Plane> line;  // another plane through the edge
+  bool left;                         // left of v -> w, seen from the canonical normal
+  bool turned;                       // patches: outward is against the canonical normal
 };
 
 class Seeder {
@@ -81,12 +81,13 @@ class Seeder {
     for (const Use& u : a_.uses)
       for (const std::uint32_t v : {u.low, u.high}) offer(component_of_[u.facet], v, a_.vertices.approximation(v));
     for (const Chunk& c : a_.operands.chunks)
-      if (c.box.low[0] <= farthest()) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
-        body.for_corners(face, [&](std::uint32_t v) {
-          const auto at = body.approximation(v);
-          if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(c.operand, v), at);
+      if (c.box.low[0] <= farthest())
+        for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
+          body.for_corners(face, [&](std::uint32_t v) {
+            const auto at = body.approximation(v);
+            if (at[0] <= extreme_[component_of_[node]].at[0]) offer(component_of_[node], name(c.operand, v), at);
+          });
         });
-      });
   }
 
   /// The largest x of all extremes found so far. With many components that is asked for once in a while only.
@@ -101,7 +102,8 @@ class Seeder {
   template <class Visit>
   void for_untouched(const Chunk& c, Visit&& visit) const {
     for (std::uint32_t f = c.begin; f < c.end; ++f)
-      if (a_.patch_of[f] != none) visit(*a_.operands.bodies[c.operand], f - a_.operands.base[c.operand], a_.patch_of[f]);
+      if (a_.patch_of[f] != none)
+        visit(*a_.operands.bodies[c.operand], f - a_.operands.base[c.operand], a_.patch_of[f]);
   }
 
   /// All facets of a component at its extreme vertex, edge by edge.
@@ -137,17 +139,19 @@ class Seeder {
     for (const Chunk& c : a_.operands.chunks) {
       bool near = false;
       tree.meeting(c.box, [&](std::uint32_t) { near = true; });
-      if (near) for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
-        body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
-          for (const bool forward : {true, false}) {
-            if (!is_wanted[c.operand][forward ? u : v]) continue;
-            const exact::Plane p = body.plane(face);
-            const bool turned = !exact::is_canonical(p);
-            offer_corner(name(c.operand, forward ? u : v),
-                         {name(c.operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
-          }
+      if (near)
+        for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
+          body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
+            for (const bool forward : {true, false}) {
+              if (!is_wanted[c.operand][forward ? u : v]) continue;
+              const exact::Plane p = body.plane(face);
+              const bool turned = !exact::is_canonical(p);
+              offer_corner(
+                  name(c.operand, forward ? u : v),
+                  {name(c.operand, forward ? v : u), node, turned ? p.opposite() : p, {}, forward != turned, turned});
+            }
+          });
         });
-      });
     }
   }
 
@@ -307,7 +311,8 @@ class Seeder {
 
 }  // namespace
 
-std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count) {
+std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of,
+                             std::uint32_t count) {
   return Seeder(a, component_of, count).run();
 }
 

@@ -81,7 +81,8 @@ class Selector {
       if (root == n) component[n] = count++;
       component[n] = component[root];
     }
-    for (const Seed& s : find_seeds(a_, component, count)) cells_.unite(s.outer, s.beyond == none ? infinity_ : s.beyond);
+    for (const Seed& s : find_seeds(a_, component, count))
+      cells_.unite(s.outer, s.beyond == none ? infinity_ : s.beyond);
   }
 
   /// visit(operand, by) for the change of labels from the front (canonical, or outward for patches) to the back.
@@ -158,8 +159,11 @@ class Selector {
     }
     for (std::uint32_t n = 0; n < nodes; ++n) {
       std::uint64_t expected = sum_[cell_[2 * n]];
-      jump(n, [&](std::uint32_t operand, int by) { expected += label_weight(operand) * static_cast<std::uint64_t>(std::int64_t{by}); });
-      if (!seen[cell_[2 * n]] || !seen[cell_[2 * n + 1]] || sum_[cell_[2 * n + 1]] != expected) selection_.consistent = false;
+      jump(n, [&](std::uint32_t operand, int by) {
+        expected += label_weight(operand) * static_cast<std::uint64_t>(std::int64_t{by});
+      });
+      if (!seen[cell_[2 * n]] || !seen[cell_[2 * n + 1]] || sum_[cell_[2 * n + 1]] != expected)
+        selection_.consistent = false;
     }
   }
 

@@ -32,8 +32,8 @@ class Frame {
 /// the canonical normal.
 struct Sheet {
   struct Element {
-    std::uint32_t a, b;   // table ids, a before b in the frame
-    std::uint32_t line;   // plane id
+    std::uint32_t a, b;  // table ids, a before b in the frame
+    std::uint32_t line;  // plane id
   };
   struct Isolated {
     std::uint32_t vertex;

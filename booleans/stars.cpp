@@ -64,7 +64,8 @@ class Stars {
         std::uint32_t a = t[(c + 1) % 3], b = t[(c + 2) % 3];
         if (view & 1) std::swap(a, b);  // seen from the other side, mirrored
         const std::int32_t at = mesh_.grid_points[v].c[up];
-        if (mesh_.grid_points[a].c[up] <= at && at < mesh_.grid_points[b].c[up]) over[v] |= static_cast<std::uint8_t>(over[v] + 1);
+        if (mesh_.grid_points[a].c[up] <= at && at < mesh_.grid_points[b].c[up])
+          over[v] |= static_cast<std::uint8_t>(over[v] + 1);
       }
     star_.resize(mesh_.grid_points.size());
     for (std::size_t v = 0; v < star_.size(); ++v)

@@ -40,7 +40,8 @@ bool is_integral(const exact::Point& p) {
     if (a != std::nearbyint(a)) return false;
   }
   for (std::size_t k = 0; k < 3; ++k)
-    if (exact::compare(exact::Coefficient(static_cast<std::int64_t>(p.approximation[k])) * p.w, p.x[k]) != 0) return false;
+    if (exact::compare(exact::Coefficient(static_cast<std::int64_t>(p.approximation[k])) * p.w, p.x[k]) != 0)
+      return false;
   return true;
 }
 

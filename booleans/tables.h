@@ -45,9 +45,7 @@ class VertexTable {
   const std::array<double, 3>& approximation(std::uint32_t v) const { return approximations_[v]; }
   bool is_grid(std::uint32_t v) const { return derived_[v] == none; }
   exact::GridPoint grid_point(std::uint32_t v) const;
-  exact::Point point(std::uint32_t v) const {
-    return is_grid(v) ? exact::point(grid_point(v)) : points_[derived_[v]];
-  }
+  exact::Point point(std::uint32_t v) const { return is_grid(v) ? exact::point(grid_point(v)) : points_[derived_[v]]; }
 
   /// The side of vertex v to a plane: +1 on its positive side, 0 on it, -1.
   int side(std::uint32_t v, const exact::Plane& p, const exact::PlaneApproximation& a) const;

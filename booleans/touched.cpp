@@ -8,7 +8,8 @@ Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), bas
     const std::uint32_t first = base.back(), end = first + static_cast<std::uint32_t>(body.face_count());
     for (std::uint32_t f = first; f < end; ++f) {
       const Box box = face_box(body, f - first);
-      if (f == first || f - chunks.back().begin == Chunk::most || !box.meets(chunks.back().box)) chunks.push_back({o, f, f, {}});
+      if (f == first || f - chunks.back().begin == Chunk::most || !box.meets(chunks.back().box))
+        chunks.push_back({o, f, f, {}});
       chunks.back().end = f + 1;
       chunks.back().box.add(box);
     }
@@ -28,8 +29,15 @@ class Collector {
  public:
   Collector(const Operands& operands, std::uint32_t operand, std::vector<std::uint8_t>& touched, VertexTable& vertices,
             PlaneTable& planes, TouchedFaces& out)
-      : body_(*operands.bodies[operand]), operand_(operand), base_(operands.base[operand]), touched_(touched),
-        vertices_(vertices), planes_(planes), out_(out), vertex_of_(out.vertex_of[operand]), first_face_(out.faces.size()) {}
+      : body_(*operands.bodies[operand]),
+        operand_(operand),
+        base_(operands.base[operand]),
+        touched_(touched),
+        vertices_(vertices),
+        planes_(planes),
+        out_(out),
+        vertex_of_(out.vertex_of[operand]),
+        first_face_(out.faces.size()) {}
 
   void run() {
     std::vector<std::uint8_t> marked(body_.vertex_count());
@@ -39,8 +47,10 @@ class Collector {
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
       if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
-      if (f < triangles) flood(f);
-      else begin_face(f, body_.planes[f - triangles]);
+      if (f < triangles)
+        flood(f);
+      else
+        begin_face(f, body_.planes[f - triangles]);
       finish_face();
     }
     find_other_planes();
@@ -129,7 +139,8 @@ class Collector {
   std::uint32_t table_id(std::uint32_t v) {
     std::uint32_t& id = vertex_of_[v];
     if (id == none)
-      id = body_.is_grid(v) ? vertices_.id(body_.grid_points[v]) : vertices_.id(body_.points[v - body_.grid_points.size()]);
+      id = body_.is_grid(v) ? vertices_.id(body_.grid_points[v])
+                            : vertices_.id(body_.points[v - body_.grid_points.size()]);
     return id;
   }
 
@@ -152,8 +163,7 @@ class Collector {
           if (g == i) return;
           const std::uint32_t plane = g == none ? planes_.id(body_.plane(f)) : out_.faces[g].sheet;
           if (plane != face.sheet) e.other = plane;
-          if (g == none)
-            out_.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, operand_, f});
+          if (g == none) out_.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, operand_, f});
         });
         if (e.other == none) e.other = planes_.id(axis_parallel(l, planes_[face.sheet]));
       }

@@ -70,7 +70,7 @@ struct TouchedFaces {
   std::vector<std::vector<std::uint32_t>> vertex_of;
   /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
   std::vector<std::unique_ptr<Adjacency>> adjacency;
-  std::vector<std::unique_ptr<BoxTree>> edge_tree;    // per face, items are indices into edges; null for small faces
+  std::vector<std::unique_ptr<BoxTree>> edge_tree;  // per face, items are indices into edges; null for small faces
 };
 
 /// Pulls in, for every face marked touched, all triangles that are coplanar and connected with it.

@@ -13,7 +13,8 @@ int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, cons
     v[k] = std::int64_t{c.c[k]} - a.c[k];
     w[k] = std::int64_t{d.c[k]} - a.c[k];
   }
-  const exact::int128 det = exact::int128(u[1] * v[2] - u[2] * v[1]) * w[0] + exact::int128(u[2] * v[0] - u[0] * v[2]) * w[1] +
+  const exact::int128 det = exact::int128(u[1] * v[2] - u[2] * v[1]) * w[0] +
+                            exact::int128(u[2] * v[0] - u[0] * v[2]) * w[1] +
                             exact::int128(u[0] * v[1] - u[1] * v[0]) * w[2];
   return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
@@ -40,7 +41,8 @@ bool on_projected_segment(const GridPoint& p, const GridPoint& a, const GridPoin
 }
 
 bool segments_meet(const GridPoint& p, const GridPoint& q, const GridPoint& a, const GridPoint& b, std::size_t k) {
-  const int pa = projected(a, b, p, k), qa = projected(a, b, q, k), ap = projected(p, q, a, k), bp = projected(p, q, b, k);
+  const int pa = projected(a, b, p, k), qa = projected(a, b, q, k), ap = projected(p, q, a, k),
+            bp = projected(p, q, b, k);
   if (pa * qa < 0 && ap * bp < 0) return true;
   return (pa == 0 && on_projected_segment(p, a, b, k)) || (qa == 0 && on_projected_segment(q, a, b, k)) ||
          (ap == 0 && on_projected_segment(a, p, q, k)) || (bp == 0 && on_projected_segment(b, p, q, k));

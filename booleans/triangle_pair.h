@@ -12,7 +12,8 @@ using GridTriangle = std::array<exact::GridPoint, 3>;
 
 /// The sign of the volume of (a, b, c, d): +1 when d lies on the positive side of the plane through a, b, c.
 /// Differences are at most 2^30, so the determinant is below 2^93.
-int orientation(const exact::GridPoint& a, const exact::GridPoint& b, const exact::GridPoint& c, const exact::GridPoint& d);
+int orientation(const exact::GridPoint& a, const exact::GridPoint& b, const exact::GridPoint& c,
+                const exact::GridPoint& d);
 
 /// Do the closed segment and the closed triangle (of non-zero area) share a point?
 bool meet(const exact::GridPoint& p, const exact::GridPoint& q, const GridTriangle& t);

@@ -18,8 +18,10 @@ Body together(const Body& a, const Body& b) {
     for (const Body* body : {&a, &b})
       for (std::uint32_t v = 0; v < body->vertex_count(); ++v)
         if (body->is_grid(v) == grid && ids.emplace(body->point(v), r.vertex_count()).second) {
-          if (grid) r.grid_points.push_back(body->grid_points[v]);
-          else r.points.push_back(body->point(v));
+          if (grid)
+            r.grid_points.push_back(body->grid_points[v]);
+          else
+            r.points.push_back(body->point(v));
         }
   for (const Body* body : {&a, &b}) {
     const auto id = [&](std::uint32_t v) { return ids.at(body->point(v)); };
@@ -115,7 +117,9 @@ TEST(Embedding, FacesOfSeveralPieces) {
   const Body two = together(normal_form(box({0, 0, 0}, {2, 2, 2})), normal_form(box({4, 0, 0}, {6, 2, 2})));
   ASSERT_FALSE(embedding_fault(two));
   Body joined = two;
-  const auto plane_less = [](const exact::Plane& p, const exact::Plane& q) { return std::tie(p.n, p.d) < std::tie(q.n, q.d); };
+  const auto plane_less = [](const exact::Plane& p, const exact::Plane& q) {
+    return std::tie(p.n, p.d) < std::tie(q.n, q.d);
+  };
   std::map<exact::Plane, std::vector<std::uint32_t>, decltype(plane_less)> by_plane(plane_less);
   for (std::uint32_t p = 0; p < two.polygon_count(); ++p) by_plane[two.planes[p]].push_back(p);
   joined.planes.clear();
@@ -124,7 +128,8 @@ TEST(Embedding, FacesOfSeveralPieces) {
   for (const auto& [plane, members] : by_plane) {
     joined.planes.push_back(plane);
     for (std::uint32_t p : members) {
-      two.for_corners(static_cast<std::uint32_t>(two.triangles.size()) + p, [&](std::uint32_t v) { joined.corners.push_back(v); });
+      two.for_corners(static_cast<std::uint32_t>(two.triangles.size()) + p,
+                      [&](std::uint32_t v) { joined.corners.push_back(v); });
       joined.loop_corners.push_back(static_cast<std::uint32_t>(joined.corners.size()));
     }
     joined.polygon_loops.push_back(static_cast<std::uint32_t>(joined.loop_corners.size() - 1));

@@ -109,7 +109,8 @@ TEST(Stars, AFanThatWindsTwiceIsNotEmbedded) {
 TEST(Stars, CornersOfBoxesAreProved) {
   const Body cube = box({0, 0, 0}, {8, 8, 8});
   for (const Star s : stars(cube)) EXPECT_EQ(s, Star::embedded);
-  for (const Star s : stars(box({-exact::world, -exact::world, -exact::world}, {exact::world, exact::world, exact::world})))
+  for (const Star s :
+       stars(box({-exact::world, -exact::world, -exact::world}, {exact::world, exact::world, exact::world})))
     EXPECT_EQ(s, Star::embedded);
 }
 
@@ -126,7 +127,8 @@ TEST(BoxTree, FindsThePairsThatBoxesHave) {
       const std::int64_t size = random.one_in(20) ? 1000 : 30;
       for (std::size_t k = 0; k < 3; ++k) {
         items[i].box.low[k] = static_cast<std::int32_t>(random.between(-500, 500));
-        items[i].box.high[k] = items[i].box.low[k] + static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size)));
+        items[i].box.high[k] =
+            items[i].box.low[k] + static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size)));
       }
     }
     std::set<std::array<std::uint32_t, 2>> all, foreign;
