@@ -40,21 +40,8 @@ std::vector<double> rounded_points(const Body& body, const grid::Lattice& lattic
   return points;
 }
 
-/// The outward normal of a face, of any length; components below 2^62.
+/// A normal of any length; components below 2^62.
 using Normal = std::array<std::int64_t, 3>;
-
-Normal normal(const Body& body, std::uint32_t face) {
-  if (face >= body.triangles.size()) return body.planes[face - body.triangles.size()].n;
-  const auto& t = body.triangles[face];
-  std::array<std::array<std::int64_t, 3>, 2> e{};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      e[i][k] = std::int64_t{body.grid_points[t[i + 1]].c[k]} - body.grid_points[t[0]].c[k];
-  Normal n{};
-  for (std::size_t k = 0; k < 3; ++k)
-    n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
-  return n;
-}
 
 /// What rounding did to one triangle.
 enum class Effect { none, flipped, collapsed };
@@ -119,7 +106,7 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
           std::array<Corner, 3> c;
           for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.triangles[t][i]} + k];
-          const Effect found = effect(c, normal(body, mesh.face[t]));
+          const Effect found = effect(c, body.sign_plane(mesh.face[t]).n);
           sum.flipped += found == Effect::flipped;
           sum.collapsed += found == Effect::collapsed;
         }

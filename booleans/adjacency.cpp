@@ -16,6 +16,7 @@ Adjacency::Adjacency(const Body& body, std::vector<std::uint8_t> marked)
     for (std::uint32_t k = 0; k < 3; ++k)
       if (const std::uint32_t v = body.triangles[t][k]; knows(v)) corner_[start_[v + 1]++] = 3 * t + k;
 
+  if (is_complete()) edges_.reserve(2 * body.corners.size());
   for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
     const auto face = static_cast<std::uint32_t>(body.triangles.size()) + p;
     for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {

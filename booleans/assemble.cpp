@@ -3,7 +3,7 @@
 namespace quoin::booleans {
 namespace {
 
-/// A polygon in the making; corners are output names (see Assembler::corner_).
+/// A polygon in the making; corners are places (see Assembler::Place).
 struct Region {
   exact::Plane plane;
   std::vector<std::uint32_t> corners;
@@ -21,8 +21,7 @@ class Assembler {
     name_of_table_.assign(a_.vertices.size(), none);
     table_place_.assign(a_.vertices.size(), none);
     keep_raw();
-    for (const bool far : {true, false})
-      for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) keep_polygons(o, far);
+    keep_polygons();
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
     drop_vertices();
     emit();
@@ -168,29 +167,48 @@ class Assembler {
     r.loop_ends.push_back(static_cast<std::uint32_t>(r.corners.size()));
   }
 
-  /// Untouched polygons: those without a vertex of the table (far) are copied, and named before the others.
-  void keep_polygons(std::uint32_t o, bool far) {
-    const Body& body = *a_.operands.bodies[o];
-    const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
-    for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
-      const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + triangles + p];
-      if (patch == none || s_.kept[patch] == 0) continue;
-      bool is_far = true;
-      body.for_corners(triangles + p, [&](std::uint32_t v) { is_far = is_far && !in_table(o, v); });
-      if (is_far != far) continue;
-      const bool turn = s_.kept[patch] < 0;
-      const exact::Plane plane = turn ? body.planes[p].opposite() : body.planes[p];
-      if (!far) regions_.push_back({plane, {}, {}});
-      for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
-        loop_.clear();
-        for (std::uint32_t v : body.loop(j)) loop_.push_back(far ? named(o, v) : place(o, v));
-        if (turn) std::reverse(loop_.begin(), loop_.end());
-        if (far)
-          append_loop(loop_);
-        else
-          add_loop(regions_.back());
+  /// Untouched polygons: those without a vertex of the table are copied, and named before the others.
+  void keep_polygons() {
+    std::vector<std::array<std::uint32_t, 2>> near;  // (operand, polygon)
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+      const Body& body = *a_.operands.bodies[o];
+      const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
+      for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
+        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + triangles + p];
+        if (patch == none || s_.kept[patch] == 0) continue;
+        bool far = true;
+        body.for_corners(triangles + p, [&](std::uint32_t v) { far = far && !in_table(o, v); });
+        if (!far) {
+          near.push_back({o, p});
+          continue;
+        }
+        for_kept_loops(
+            o, p, [&](std::uint32_t v) { return named(o, v); }, [&] { append_loop(loop_); });
+        close_polygon(kept_plane(o, p));
       }
-      if (far) close_polygon(plane);
+    }
+    for (const auto& [o, p] : near) {
+      Region& region = regions_.emplace_back(Region{kept_plane(o, p), {}, {}});
+      for_kept_loops(
+          o, p, [&, o = o](std::uint32_t v) { return place(o, v); }, [&] { add_loop(region); });
+    }
+  }
+  bool is_turned(std::uint32_t o, std::uint32_t p) const {
+    return s_.kept[a_.patch_of[a_.operands.base[o] + a_.operands.bodies[o]->triangles.size() + p]] < 0;
+  }
+  exact::Plane kept_plane(std::uint32_t o, std::uint32_t p) const {
+    const exact::Plane& plane = a_.operands.bodies[o]->planes[p];
+    return is_turned(o, p) ? plane.opposite() : plane;
+  }
+  /// visit() for every loop of a polygon that stays, with its corners in loop_, turned as it stays.
+  template <class Corner, class Visit>
+  void for_kept_loops(std::uint32_t o, std::uint32_t p, Corner corner, Visit visit) {
+    const Body& body = *a_.operands.bodies[o];
+    for (std::uint32_t j = body.polygon_loops[p]; j < body.polygon_loops[p + 1]; ++j) {
+      loop_.clear();
+      for (std::uint32_t v : body.loop(j)) loop_.push_back(corner(v));
+      if (is_turned(o, p)) std::reverse(loop_.begin(), loop_.end());
+      visit();
     }
   }
 

@@ -53,6 +53,11 @@ struct Body {
   std::span<const std::uint32_t> loop(std::uint32_t j) const {
     return std::span(corners).subspan(loop_corners[j], loop_corners[j + 1] - loop_corners[j]);
   }
+  std::uint32_t corner_count(std::uint32_t face) const {
+    if (face < triangles.size()) return 3;
+    const std::size_t p = face - triangles.size();
+    return loop_corners[polygon_loops[p + 1]] - loop_corners[polygon_loops[p]];
+  }
   /// visit(v) for every corner of a face, loop by loop.
   template <class Visit>
   void for_corners(std::uint32_t face, Visit&& visit) const {

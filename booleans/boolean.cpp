@@ -30,21 +30,11 @@ Result<Body> arrange(Arrangement a, const Expression& expression, const std::vec
                      const Run& run) {
   const Stages stages(run);
   if (!stages.begin("merge coplanar", 0.2)) return cancelled();
-  std::vector<std::uint8_t> touched(a.operands.face_count());
-  for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
-  a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
+  a.touched = collect_touched(a.operands, near, a.vertices, a.planes);
   if constexpr (exact::checked) check(a.touched, a.vertices, a.planes);
   if (!stages.begin("intersect", 0.3)) return cancelled();
 
-  std::vector<FacePair> pairs;
-  pairs.reserve(near.size());
-  for (const FaceIdPair& p : near) {
-    const std::uint32_t f = a.touched.face_of[p[0]], g = a.touched.face_of[p[1]];
-    if (f != g) pairs.push_back({std::min(f, g), std::max(f, g)});
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  const Contacts contacts = find_contacts(a.touched, pairs, a.vertices, a.planes);
+  const Contacts contacts = find_contacts(a.touched, touched_pairs(a.touched, near), a.vertices, a.planes);
   if (!stages.begin("subdivide", 0.5)) return cancelled();
 
   a.sheets = draw_sheets(a.touched, contacts, a.vertices, a.planes);

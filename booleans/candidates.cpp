@@ -31,12 +31,6 @@ bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
   return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
 }
 
-std::uint32_t corner_count(const Body& body, std::uint32_t face) {
-  if (face < body.triangles.size()) return 3;
-  const std::size_t p = face - body.triangles.size();
-  return body.loop_corners[body.polygon_loops[p + 1]] - body.loop_corners[body.polygon_loops[p]];
-}
-
 /// Do all corners of the face lie strictly on one side of the plane?
 bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face) {
   int seen = 0;
@@ -250,8 +244,8 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
     const auto [p, g] = operands.local(other);
     const Body& body = *operands.bodies[p];
     const exact::Plane plane = operands.bodies[o]->sign_plane(f);
-    return corner_count(body, g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other))
-                                                       : strictly_on_one_side(plane, body, g);
+    return body.corner_count(g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other))
+                                                      : strictly_on_one_side(plane, body, g);
   };
   return filtered(pairs, [&](const FaceIdPair& pair) { return !apart(pair[0], pair[1]) && !apart(pair[1], pair[0]); });
 }
@@ -279,11 +273,11 @@ class Prover {
     std::sort(points_.begin(), points_.end());
   }
 
-  bool many_corners(std::uint32_t f) const { return corner_count(body_, f) > 3; }
+  bool many_corners(std::uint32_t f) const { return body_.corner_count(f) > 3; }
 
   bool proper(std::uint32_t f, std::uint32_t g) const {
-    if (corner_count(body_, f) > corner_count(body_, g)) std::swap(f, g);
-    return meets_in_common_parts(f, g) || (corner_count(body_, g) <= small && meets_in_common_parts(g, f));
+    if (body_.corner_count(f) > body_.corner_count(g)) std::swap(f, g);
+    return meets_in_common_parts(f, g) || (body_.corner_count(g) <= small && meets_in_common_parts(g, f));
   }
 
  private:

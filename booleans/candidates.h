@@ -7,9 +7,6 @@
 
 namespace quoin::booleans {
 
-/// Pairs of global face ids.
-using FaceIdPair = std::array<std::uint32_t, 2>;
-
 /// Pairs of faces of different operands whose boxes meet and neither of which lies strictly on one side of the other's
 /// plane. A superset of the pairs of closed faces that meet.
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands);

@@ -268,6 +268,18 @@ class Worker {
 
 }  // namespace
 
+std::vector<FacePair> touched_pairs(const TouchedFaces& touched, const std::vector<FaceIdPair>& near) {
+  std::vector<FacePair> pairs;
+  pairs.reserve(near.size());
+  for (const FaceIdPair& p : near) {
+    const std::uint32_t f = touched.face_of[p[0]], g = touched.face_of[p[1]];
+    if (f != g) pairs.push_back({std::min(f, g), std::max(f, g)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 Contacts find_contacts(const TouchedFaces& touched, const std::vector<FacePair>& pairs, VertexTable& vertices,
                        const PlaneTable& planes) {
   // Fixed chunks, results in slots, points named in chunk order: the same ids for any number of threads.

@@ -27,6 +27,9 @@ struct Contacts {
 /// A pair of touched faces, indices into TouchedFaces::faces.
 using FacePair = std::array<std::uint32_t, 2>;
 
+/// The pairs of different touched faces that the given faces belong to, each once, in order.
+std::vector<FacePair> touched_pairs(const TouchedFaces& touched, const std::vector<FaceIdPair>& near);
+
 /// The contacts of the given pairs. Pairs on one plane have none here (their sheet draws both), nor have parallel ones.
 Contacts find_contacts(const TouchedFaces& touched, const std::vector<FacePair>& pairs, VertexTable& vertices,
                        const PlaneTable& planes);

@@ -88,13 +88,9 @@ class SheetProof {
 /// Draws the doubtful faces with all their contacts.
 void draw(Arrangement& a, const Body& body) {
   const std::vector<FaceIdPair> doubtful = doubtful_pairs(body);
-  std::vector<std::uint8_t> touched(body.face_count());
-  for (const FaceIdPair& p : doubtful) touched[p[0]] = touched[p[1]] = 1;
-  a.touched = collect_touched(a.operands, touched, a.vertices, a.planes);
-  std::vector<FacePair> pairs;
-  for (const FaceIdPair& p : doubtful)
-    if (p[0] != p[1]) pairs.push_back({a.touched.face_of[p[0]], a.touched.face_of[p[1]]});
-  a.sheets = draw_sheets(a.touched, find_contacts(a.touched, pairs, a.vertices, a.planes), a.vertices, a.planes);
+  a.touched = collect_touched(a.operands, doubtful, a.vertices, a.planes);
+  const Contacts contacts = find_contacts(a.touched, touched_pairs(a.touched, doubtful), a.vertices, a.planes);
+  a.sheets = draw_sheets(a.touched, contacts, a.vertices, a.planes);
 }
 
 std::optional<std::string> crossing(const Arrangement& a) {

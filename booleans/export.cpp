@@ -231,7 +231,7 @@ class Separator {
 
 Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
   // Only vertices of several fans are split, so only their triangles take part.
-  Spokes spokes(mesh.triangles, mesh.source.size());
+  Spokes spokes(mesh.triangles, mesh.source.size(), [](std::uint32_t) { return true; });
   std::vector<std::uint8_t> several(mesh.source.size());
   for (std::uint32_t v = 0; v < several.size(); ++v) several[v] = !is_one_fan(spokes.at(v));
   Triangulated part;

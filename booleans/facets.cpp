@@ -142,10 +142,7 @@ std::size_t Targets::edge_count(std::uint32_t t) const {
     return start[target.index + 1] - start[target.index];
   }
   const auto [operand, face] = a_.operands.local(target.index);
-  const Body& body = *a_.operands.bodies[operand];
-  if (face < body.triangles.size()) return 3;
-  const std::size_t p = face - body.triangles.size();
-  return body.loop_corners[body.polygon_loops[p + 1]] - body.loop_corners[body.polygon_loops[p]];
+  return a_.operands.bodies[operand]->corner_count(face);
 }
 
 const Targets::Searchable& Targets::searchable(std::uint32_t t, const exact::Plane& plane) {

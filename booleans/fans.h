@@ -39,16 +39,19 @@ inline bool is_one_fan(std::span<Spoke> star) {
   return false;
 }
 
-/// The spokes of all vertices, by vertex.
+/// The spokes of the vertices v for which wanted(v) holds, by vertex.
 class Spokes {
  public:
-  Spokes(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertex_count) : at_(vertex_count + 2) {
+  template <class Wanted>
+  Spokes(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertex_count, Wanted wanted)
+      : at_(vertex_count + 2) {
     for (const auto& t : triangles)
-      for (std::uint32_t v : t) ++at_[v + 2];
+      for (std::uint32_t v : t) at_[v + 2] += wanted(v);
     for (std::size_t v = 2; v < at_.size(); ++v) at_[v] += at_[v - 1];
-    spokes_ = std::make_unique_for_overwrite<Spoke[]>(3 * triangles.size());
+    spokes_ = std::make_unique_for_overwrite<Spoke[]>(at_.back());
     for (const auto& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k) spokes_[at_[t[k] + 1]++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+      for (std::size_t k = 0; k < 3; ++k)
+        if (wanted(t[k])) spokes_[at_[t[k] + 1]++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
   }
   std::span<Spoke> at(std::uint32_t v) { return {spokes_.get() + at_[v], at_[v + 1] - at_[v]}; }
 

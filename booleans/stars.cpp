@@ -73,23 +73,10 @@ class Stars {
   }
 
   void look_at_the_rest() {
-    std::vector<std::uint32_t> index(star_.size(), none), start(unproved_.size() + 1);
-    for (std::uint32_t i = 0; i < unproved_.size(); ++i) index[unproved_[i]] = i;
-    const auto for_corners = [&](auto&& visit) {
-      for (const auto& t : mesh_.triangles)
-        for (std::size_t c = 0; c < 3; ++c)
-          if (index[t[c]] != none) visit(index[t[c]], Spoke{t[(c + 1) % 3], t[(c + 2) % 3]});
-    };
-    for_corners([&](std::uint32_t i, const Spoke&) { ++start[i + 1]; });
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Spoke> spokes(start.back());
-    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-    for_corners([&](std::uint32_t i, const Spoke& s) { spokes[at[i]++] = s; });
-    for (std::uint32_t i = 0; i < unproved_.size(); ++i) {
-      const std::span<Spoke> star(spokes.data() + start[i], start[i + 1] - start[i]);
-      Star& result = star_[unproved_[i]];
-      if (!is_one_fan(star)) continue;
-      result = is_embedded(unproved_[i], star) ? Star::embedded : Star::ring;
+    Spokes spokes(mesh_.triangles, star_.size(), [&](std::uint32_t v) { return star_[v] == Star::other; });
+    for (const std::uint32_t v : unproved_) {
+      const std::span<Spoke> star = spokes.at(v);
+      if (is_one_fan(star)) star_[v] = is_embedded(v, star) ? Star::embedded : Star::ring;
     }
   }
 

@@ -200,8 +200,10 @@ class Collector {
 
 }  // namespace
 
-TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>& touched, VertexTable& vertices,
+TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdPair>& near, VertexTable& vertices,
                              PlaneTable& planes) {
+  std::vector<std::uint8_t> touched(operands.face_count());
+  for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
   TouchedFaces out;
   const std::size_t n = operands.bodies.size();
   out.face_of.assign(operands.face_count(), none);

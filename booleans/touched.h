@@ -73,9 +73,11 @@ struct TouchedFaces {
   std::vector<std::unique_ptr<BoxTree>> edge_tree;  // per face, items are indices into edges; null for small faces
 };
 
-/// Pulls in, for every face marked touched, all triangles that are coplanar and connected with it.
-/// `touched` is indexed by global face id and is extended to the faces pulled in.
-TouchedFaces collect_touched(const Operands& operands, std::vector<std::uint8_t>& touched, VertexTable& vertices,
+/// Pairs of global face ids.
+using FaceIdPair = std::array<std::uint32_t, 2>;
+
+/// The faces of the pairs, with all triangles that are coplanar and connected with them.
+TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdPair>& near, VertexTable& vertices,
                              PlaneTable& planes);
 
 }  // namespace quoin::booleans
