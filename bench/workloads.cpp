@@ -1,263 +1,140 @@
-/// Runs one generated workload and prints its stage times, memory, size and laws as one line of JSON.
-/// Usage: quoin-workloads NAME [SIZE] [THREADS]; without arguments it lists the names.
-#include <sys/resource.h>
+#include "bench/workloads.h"
 
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
-#include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "examples/models.h"
-#include "quoin/quoin.h"
 
+namespace quoin::bench {
 namespace {
 
-using namespace quoin;
-using examples::Random;
+std::uint32_t frequency(std::size_t triangles) {
+  return static_cast<std::uint32_t>(std::lround(std::sqrt(double(triangles) / 20)));
+}
+Mesh sphere(std::size_t triangles, double x) { return examples::geodesic_sphere({x, 0, 0}, 1, frequency(triangles)); }
 
-Options run_options;
-Grid grid;
+std::vector<Mesh> spheres(std::size_t n) { return {sphere(n, 0), sphere(n, 0.5)}; }
 
-/// CPU seconds a stage, in the order in which they first come.
-class Clock {
- public:
-  void begin(const char* stage) {
-    end();
-    for (at_ = 0; at_ < stages_.size() && stages_[at_].first != stage;) ++at_;
-    if (at_ == stages_.size()) stages_.emplace_back(stage, 0.0);
-    start_ = std::clock();
-  }
-  void end() {
-    if (at_ < stages_.size()) stages_[at_].second += double(std::clock() - start_) / CLOCKS_PER_SEC;
-    at_ = SIZE_MAX;
-  }
-  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
-  double sum() const {
-    double s = 0;
-    for (const auto& [name, seconds] : stages_) s += seconds;
-    return s;
-  }
+std::vector<Mesh> local_edit(std::size_t n) { return {sphere(n, 0), examples::geodesic_sphere({1, 0, 0}, 0.03, 7)}; }
 
- private:
-  std::vector<std::pair<std::string, double>> stages_;
-  std::size_t at_ = SIZE_MAX;
-  std::clock_t start_ = 0;
-};
-Clock importing, combining, exporting;
-
-template <class Work>
-auto timed(Clock& clock, const char* first, Work work) {
-  clock.begin(first);
-  auto result = work();
-  clock.end();
-  return result;
+std::vector<Mesh> bumpy(std::size_t n) {
+  return {examples::bumpy_sphere({0, 0, 0}, 1, n, 1), examples::bumpy_sphere({0, 0, 0}, 1, n, 2)};
 }
 
-Options watched(Clock& clock) {
-  Options options = run_options;
-  options.stage = [&clock](const char* name) { clock.begin(name); };
-  return options;
+std::vector<Mesh> cubes(std::size_t n) { return examples::cube_grid(static_cast<std::uint32_t>(n), 1.0); }
+
+std::vector<Mesh> with_first(Mesh first, std::vector<Mesh> rest) {
+  rest.insert(rest.begin(), std::move(first));
+  return rest;
 }
 
-template <class T>
-T must(Result<T> result) {
-  if (result) return std::move(result).value();
-  std::fprintf(stderr, "%s: %s\n", result.error().code.c_str(), result.error().message.c_str());
-  std::exit(1);
-}
-
-Solid import(const Mesh& mesh) {
-  ImportOptions options;
-  options.grid = grid;
-  options.run = watched(importing);
-  return timed(importing, "prepare", [&] { return must(Solid::from_triangles(mesh.points, mesh.triangles, options)); });
-}
-
-std::vector<Solid> import(const std::vector<Mesh>& meshes) {
-  std::vector<Solid> r;
-  for (const Mesh& m : meshes) r.push_back(import(m));
-  return r;
-}
-
-Solid boolean(const Expression& e) {
-  return timed(combining, "prepare", [&] { return must(evaluate(e, watched(combining))); });
-}
-
-Expression all_of(const std::vector<Solid>& solids) { return Expression::union_of({solids.begin(), solids.end()}); }
-
-using Rational = boost::multiprecision::mpq_rational;
-
-/// Precondition: the solid is bounded.
-Rational volume(const Solid& solid) { return Rational(solid.volume().value()); }
-Rational volume(const Expression& e) { return volume(must(evaluate(e, run_options))); }
-
-/// vol(A) + vol(B) = vol(A u B) + vol(A n B), vol(A) = vol(A - B) + vol(A n B), all exactly; `result` is A op B.
-bool volumes_add_up(const Solid& result, char operation, const Expression& a, const Expression& b) {
-  const Rational known = volume(result), common = operation == 'i' ? known : volume(a & b);
-  if (operation == 'd') return volume(a) == known + common;
-  return volume(a) + volume(b) == (operation == 'u' ? known : volume(a + b)) + common;
-}
-
-/// (A - B) u (A n B) = A.
-bool splits_exactly(const Solid& a, const Solid& b) {
-  const Solid difference = must(evaluate(Expression(a) - b, run_options)),
-              common = must(evaluate(Expression(a) & b, run_options));
-  return must(evaluate(Expression(difference) + common, run_options)) == a;
-}
-
-long peak_now() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
-}
-
-struct Outcome {
-  Solid result;
-  std::string law = "volumes add up";
-  bool holds = true;
-  long peak_kb = peak_now();  // before the laws are tried
-};
-
-Outcome two(const Mesh& first, const Mesh& second, char operation) {
-  const Solid a = import(first), b = import(second);
-  const Expression x(a), y(b);
-  Outcome r{boolean(operation == 'u' ? x + y : operation == 'i' ? (x & y) : x - y)};
-  r.law = "(A - B) u (A n B) = A, volumes add up";
-  r.holds = splits_exactly(a, b) && volumes_add_up(r.result, operation, a, b);
-  return r;
-}
-
-Mesh sphere(std::size_t triangles, double x) {
-  return examples::geodesic_sphere({x, 0, 0}, 1,
-                                   static_cast<std::uint32_t>(std::lround(std::sqrt(double(triangles) / 20))));
-}
-
-Outcome chain(std::size_t length) {
-  Random random(7);
-  Solid solid = import(examples::box({-1, -1, -1}, {1, 1, 1})), before = solid, tool = solid;
-  char last = 'u';
-  for (std::size_t i = 0; i < length; ++i) {
-    const examples::Point c{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    tool = import(examples::icosphere(c, random.between(0.05, 0.3), 2));
-    before = solid;
-    last = random.unit() < 0.5 ? 'd' : 'u';
-    solid = boolean(last == 'd' ? Expression(before) - tool : Expression(before) + tool);
-  }
-  Outcome r{solid};
-  r.law = "volumes of the last operation add up";
-  r.holds = volumes_add_up(solid, last, before, tool);
-  return r;
-}
-
-Outcome cubes(std::size_t n) {
-  Outcome r{boolean(all_of(import(examples::cube_grid(static_cast<std::uint32_t>(n), 1.0))))};
-  r.law = "one box of 6 faces";
-  r.holds = r.result.info().faces == 6;
-  return r;
-}
-
-Outcome plate(std::size_t holes) {
+std::vector<Mesh> plate(std::size_t holes) {
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(double(holes))));
-  const Solid plate = import(examples::box({0, 0, 0}, {double(side), double(side), 1}));
-  const auto tools = import(examples::drills(side, side, 64));
-  Outcome r{boolean(Expression(plate) - all_of(tools))};
-  r.law = "64 walls a hole and 6 faces, volumes add up";
-  r.holds = r.result.info().faces == 64ull * side * side + 6 && volumes_add_up(r.result, 'd', plate, all_of(tools));
-  return r;
+  return with_first(examples::box({0, 0, 0}, {double(side), double(side), 1}), examples::drills(side, side, 64));
 }
 
-/// The union of many operands, against the unions of its halves.
-Outcome union_of(const std::vector<Mesh>& meshes) {
-  const std::vector<Solid> solids = import(meshes);
-  Outcome r{boolean(all_of(solids))};
-  const auto middle = solids.begin() + static_cast<std::ptrdiff_t>(solids.size() / 2);
-  r.holds = volumes_add_up(r.result, 'u', all_of({solids.begin(), middle}), all_of({middle, solids.end()}));
-  return r;
-}
-
-Outcome menger(std::size_t level) {
+std::vector<Mesh> menger(std::size_t level) {
   const double size = std::pow(3.0, double(level));
-  const Solid cube = import(examples::box({0, 0, 0}, {size, size, size}));
-  Outcome r{boolean(Expression(cube) - all_of(import(examples::menger_holes(static_cast<unsigned>(level)))))};
-  const std::string volume = std::to_string(std::llround(std::pow(20.0, double(level))));
-  r.law = "volume " + volume;
-  r.holds = r.result.volume() == volume;
-  return r;
+  return with_first(examples::box({0, 0, 0}, {size, size, size}), examples::menger_holes(static_cast<unsigned>(level)));
 }
 
-const std::map<std::string, std::pair<std::size_t, std::function<Outcome(std::size_t)>>>& workloads() {
-  static const std::map<std::string, std::pair<std::size_t, std::function<Outcome(std::size_t)>>> all{
-      {"spheres-union", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'u'); }}},
-      {"spheres-intersection", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'i'); }}},
-      {"spheres-difference", {1000000, [](std::size_t n) { return two(sphere(n, 0), sphere(n, 0.5), 'd'); }}},
-      {"local-edit",
-       {1000000,
-        [](std::size_t n) {
-          return two(sphere(n, 0), examples::geodesic_sphere({1, 0, 0}, 0.03, 7), 'd');
-        }}},
-      {"bumpy",
-       {500000,
-        [](std::size_t n) {
-          return two(examples::bumpy_sphere({0, 0, 0}, 1, n, 1), examples::bumpy_sphere({0, 0, 0}, 1, n, 2), 'u');
-        }}},
-      {"cubes", {20, cubes}},
-      {"plate", {10000, plate}},
-      {"menger", {4, menger}},
-      {"cloud", {1000, [](std::size_t n) { return union_of(examples::sphere_cloud(n, 1280, 3)); }}},
-      {"needles",
-       {150,
-        [](std::size_t n) {
-          return union_of(examples::needles(n, {0, 0, 0}, 1, 0.01, 3, 5));
-        }}},
-      {"chain", {1000, chain}},
-  };
+std::vector<Mesh> cloud(std::size_t n) { return examples::sphere_cloud(n, 1280, 3); }
+
+std::vector<Mesh> needles(std::size_t n) { return examples::needles(n, {0, 0, 0}, 1, 0.01, 3, 5); }
+
+/// A dome, then small spheres about random points of its surface.
+std::vector<Mesh> chain(std::size_t length) {
+  examples::Random random(7);
+  Mesh dome = examples::geodesic_sphere({0, 0, 0}, 1, 32);
+  for (std::size_t i = 2; i < dome.points.size(); i += 3)
+    if (dome.points[i] < 0) dome.points[i] *= 0.05;
+  std::vector<Mesh> all{std::move(dome)};
+  for (std::size_t i = 0; i < length; ++i) {
+    examples::Point c = random.direction();
+    c[2] = std::abs(c[2]);
+    all.push_back(examples::icosphere(c, random.between(0.02, 0.06), 2));
+  }
   return all;
+}
+
+/// Rotated by 7 degrees about (1, 2, 3).
+Mesh turned(Mesh mesh) {
+  const double length = std::sqrt(14.0), angle = 7 * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
+  const std::array<double, 3> n{1 / length, 2 / length, 3 / length};
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    const std::array<double, 3> p{mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
+    const double along = (p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) * (1 - c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+      mesh.points[i + k] = p[k] * c + (n[u] * p[v] - n[v] * p[u]) * s + n[k] * along;
+    }
+  }
+  return mesh;
+}
+
+std::vector<Mesh> against_itself(const Mesh& mesh) { return {mesh, turned(mesh)}; }
+
+std::vector<Mesh> knot(std::size_t n) {
+  const auto around = static_cast<std::uint32_t>(std::lround(std::sqrt(double(n) / 80)));
+  return against_itself(examples::torus_knot({0, 0, 0}, {2, 9, 26, 11.5, 4}, 40 * around, around));
+}
+
+std::vector<Mesh> gear(std::size_t n) {
+  examples::Gear gear;
+  gear.steps = static_cast<std::uint32_t>(n / (4 * gear.teeth));
+  return against_itself(examples::gear(gear));
+}
+
+/// Long thin diagonal triangles, crossed by their mirror image; the boxes of nearly all pairs meet.
+std::vector<Mesh> skinny(std::size_t n) {
+  const Mesh strip = examples::diagonal_strip(n, 1);
+  Mesh other = strip;
+  for (std::size_t i = 0; i < other.points.size(); i += 3) {
+    other.points[i] = 1 - other.points[i];
+    other.points[i + 2] += 0.003;
+  }
+  for (std::size_t i = 0; i < other.triangles.size(); i += 3) std::swap(other.triangles[i], other.triangles[i + 1]);
+  return {strip, other};
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc < 2 || !workloads().contains(argv[1])) {
-    for (const auto& [name, w] : workloads()) std::printf("%-22s default size %zu\n", name.c_str(), w.first);
-    return argc < 2 ? 0 : 2;
-  }
-  const auto& [default_size, work] = workloads().at(argv[1]);
-  const std::size_t size = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : default_size;
-  run_options.threads = argc > 3 ? static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)) : 1;
-  grid = must(Grid::with_step(std::string(argv[1]) == "plate" || std::string(argv[1]) == "menger" ||
-                                      std::string(argv[1]) == "cubes"
-                                  ? "1/65536"
-                                  : "1/16777216"));
-  const Outcome o = work(size);
-  ExportReport report;
-  const Mesh mesh =
-      timed(exporting, "triangulate, round, check", [&] { return must(o.result.to_triangles({}, &report)); });
-  std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", argv[1], size, run_options.threads);
-  const std::array<std::pair<const char*, const Clock*>, 3> clocks{
-      {{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
-  for (const auto& [name, clock] : clocks) {
-    std::printf(", \"%s\": %.3f, \"%s_stages\": {", name, clock->sum(), name);
-    const char* comma = "";
-    for (const auto& [stage, seconds] : clock->stages()) {
-      std::printf("%s\"%s\": %.3f", comma, stage.c_str(), seconds);
-      comma = ", ";
-    }
-    std::printf("}");
-  }
-  std::printf(
-      ", \"peak_mb\": %ld, \"vertices\": %zu, \"triangles\": %zu, \"closed\": %s, \"flipped\": %llu, \"volume\": "
-      "%.17g, \"law\": \"%s\", "
-      "\"holds\": %s}\n",
-      o.peak_kb / 1024, mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false",
-      static_cast<unsigned long long>(report.flipped), volume(o.result).convert_to<double>(), o.law.c_str(),
-      o.holds ? "true" : "false");
-  return report.closed && o.holds ? 0 : 1;
+const char* name(Operation operation) {
+  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences"};
+  return names[static_cast<std::size_t>(operation)];
 }
+
+const std::vector<Workload>& workloads() {
+  using enum Operation;
+  static const char* const fine = "1/16777216";
+  static const char* const coarse = "1/65536";
+  static const std::vector<Workload> all{
+      {"spheres-union", "triangles each", 1000000, unite, fine, spheres},
+      {"spheres-intersection", "triangles each", 1000000, intersect, fine, spheres},
+      {"spheres-difference", "triangles each", 1000000, subtract, fine, spheres},
+      {"local-edit", "triangles of the larger", 1000000, subtract, fine, local_edit},
+      {"bumpy", "triangles each", 500000, unite, fine, bumpy},
+      {"knot", "triangles each", 200000, unite, coarse, knot},
+      {"gear", "triangles each", 6000, unite, fine, gear},
+      {"cubes", "cubes per edge", 20, unite, coarse, cubes},
+      {"cubes-each", "cubes per edge", 20, unite_each, coarse, cubes},
+      {"plate", "holes", 10000, subtract, coarse, plate},
+      {"menger", "level", 4, subtract, coarse, menger},
+      {"cloud", "spheres", 1000, unite, fine, cloud},
+      {"needles", "prisms", 150, unite, fine, needles},
+      {"chain", "operations", 1000, subtract_each, fine, chain},
+      {"skinny", "skinny triangles each", 15000, unite, fine, skinny},
+  };
+  return all;
+}
+
+const Workload* find_workload(const std::string& name) {
+  for (const Workload& w : workloads())
+    if (w.name == name) return &w;
+  return nullptr;
+}
+
+}  // namespace quoin::bench

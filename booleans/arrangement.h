@@ -46,7 +46,7 @@ struct Arrangement {
   VertexTable vertices;
   PlaneTable planes;
   TouchedFaces touched;
-  std::vector<Sheet> sheets;
+  Sheets sheets;
   std::vector<std::uint32_t> facet_base;    // first facet of each sheet, plus the total
   std::vector<std::uint32_t> element_base;  // first element of each sheet, plus the total
   /// Untouched faces: global face id -> facet_base.back() + patch, none for touched faces.

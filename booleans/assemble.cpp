@@ -137,14 +137,15 @@ class Assembler {
       if (kept(h) < 0) std::reverse(loop_.begin(), loop_.end());
       add_loop(region(sheet.facet[h]));
     }
-    add_touching_points(sheet, kept, cancelled, region);
+    add_touching_points(sheet, facet_base, kept, cancelled, region);
   }
 
   /// Vertices inside a kept region that it does not list: they stay where other faces end in them.
   template <class Kept, class Cancelled, class RegionOf>
-  void add_touching_points(const Sheet& sheet, Kept kept, Cancelled cancelled, RegionOf region) {
+  void add_touching_points(const Sheet& sheet, std::uint32_t facet_base, Kept kept, Cancelled cancelled,
+                           RegionOf region) {
     for (const Sheet::Isolated& i : sheet.isolated) {
-      if (s_.kept[a_.facet_base[&sheet - a_.sheets.data()] + i.facet] == 0) continue;
+      if (s_.kept[facet_base + i.facet] == 0) continue;
       loop_.assign(1, table_place(i.vertex));
       add_loop(region(i.facet));
     }

@@ -55,7 +55,7 @@ BoxTree::BoxTree(const std::vector<Item>& items) {
   while (levels_.back().blocks.size() > 1) {
     const Level& below = levels_.back();
     const auto lanes = [&](std::size_t i) {
-      return std::min<std::size_t>(BoxBlock::width, below.group.size() - i * BoxBlock::width);
+      return std::min<std::size_t>(BoxBlock::width, std::size_t{below.count} - i * BoxBlock::width);
     };
     const auto box = [&](std::size_t i) {
       Box sum;

@@ -105,7 +105,7 @@ struct BoxBlock {
 };
 
 /// Bit i: lane i is v.
-inline unsigned lanes_equal(const std::array<std::uint32_t, BoxBlock::width>& lanes, std::uint32_t v) {
+inline unsigned lanes_equal(const std::uint32_t* lanes, std::uint32_t v) {
   unsigned r = 0;
 #ifdef __SSE2__
   const __m128i all = _mm_set1_epi32(static_cast<int>(v));
@@ -152,10 +152,7 @@ class BoxTree {
     const auto same = [](std::uint32_t g, std::uint32_t h) { return g == h && g != mixed; };
     const auto skip = [&](std::uint32_t i, std::uint32_t b) {
       const auto& groups = levels_[0].group;
-      unsigned lanes = 0;
-      for (std::uint32_t j = 0; j < BoxBlock::width && b * BoxBlock::width + j < groups.size(); ++j)
-        lanes |= static_cast<unsigned>(groups[b * BoxBlock::width + j] == groups[i]) << j;
-      return lanes;
+      return lanes_equal(&groups[b * BoxBlock::width], groups[i]);
     };
     if (!levels_.empty()) self(levels_.size() - 1, 0, same, skip, visit);
   }
@@ -173,14 +170,16 @@ class BoxTree {
   struct Level {
     std::vector<BoxBlock> blocks;
     std::vector<std::uint32_t> group;  // of each lane
+    std::uint32_t count;               // of lanes in use
   };
   static std::uint32_t lowest(unsigned lanes) { return static_cast<std::uint32_t>(std::countr_zero(lanes)); }
 
   template <class BoxOf, class GroupOf>
   void add_level(std::size_t n, BoxOf box, GroupOf group) {
     Level& level = levels_.emplace_back();
+    level.count = static_cast<std::uint32_t>(n);
     level.blocks.resize((n + BoxBlock::width - 1) / BoxBlock::width);
-    level.group.resize(n);
+    level.group.resize(level.blocks.size() * BoxBlock::width, mixed);
     for (std::size_t i = 0; i < n; ++i) {
       level.blocks[i / BoxBlock::width].set(static_cast<std::uint32_t>(i % BoxBlock::width), box(i));
       level.group[i] = group(i);
@@ -192,7 +191,7 @@ class BoxTree {
     const BoxBlock& block = levels_[level].blocks[b];
     for (std::uint32_t i = 0; i < BoxBlock::width; ++i) {
       const std::uint32_t x = b * BoxBlock::width + i;
-      if (x >= levels_[level].group.size()) break;
+      if (x >= levels_[level].count) break;
       unsigned lanes = block.meeting(block.box(i)) & (~1u << i);
       if (level == 0) {
         if (lanes != 0) lanes &= ~skip(x, b);

@@ -107,7 +107,7 @@ class NeighbourMask {
     const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
     unsigned r = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t m = 0; m < 3; ++m) r |= lanes_equal(others[m], own[k][i % BoxBlock::width]);
+      for (std::size_t m = 0; m < 3; ++m) r |= lanes_equal(others[m].data(), own[k][i % BoxBlock::width]);
     return r;
   }
 
@@ -239,15 +239,18 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
                             [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })
         ->box;
   };
-  const auto apart = [&](std::uint32_t face, std::uint32_t other) {
-    const auto [o, f] = operands.local(face);
-    const auto [p, g] = operands.local(other);
-    const Body& body = *operands.bodies[p];
-    const exact::Plane plane = operands.bodies[o]->sign_plane(f);
-    return body.corner_count(g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(other))
-                                                      : strictly_on_one_side(plane, body, g);
+  const auto apart = [&](const Body& body, std::uint32_t f, const Body& other, std::uint32_t g, std::uint32_t id) {
+    const exact::Plane plane = body.sign_plane(f);
+    return other.corner_count(g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(id))
+                                                       : strictly_on_one_side(plane, other, g);
   };
-  return filtered(pairs, [&](const FaceIdPair& pair) { return !apart(pair[0], pair[1]) && !apart(pair[1], pair[0]); });
+  return filtered(pairs, [&](const FaceIdPair& pair) {
+    const auto [o, f] = operands.local(pair[0]);
+    const auto [p, g] = operands.local(pair[1]);
+    const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
+    if (f < a.triangles.size() && g < b.triangles.size()) return meet(triangle(a, f), triangle(b, g));
+    return !apart(a, f, b, g, pair[1]) && !apart(b, g, a, f, pair[0]);
+  });
 }
 
 std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {

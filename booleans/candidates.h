@@ -7,7 +7,8 @@
 
 namespace quoin::booleans {
 
-/// Pairs of faces of different operands whose boxes meet and neither of which lies strictly on one side of the other's
+/// Pairs of faces of different operands that may meet: raw triangles that do, other faces whose boxes meet and neither
+/// of which lies strictly on one side of the other's
 /// plane. A superset of the pairs of closed faces that meet.
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands);
 

@@ -1,3 +1,4 @@
+#include <numeric>
 #include <tuple>
 
 #include "booleans/arrangement.h"
@@ -76,14 +77,33 @@ class Connector {
       }
     }
     for (const UntouchedUse& u : a_.touched.untouched) add_use(u.operand, u.face, u.from, u.to);
-    const auto key = [](const Use& u) { return std::tie(u.low, u.high, u.facet, u.left, u.plane); };
-    std::sort(a_.uses.begin(), a_.uses.end(), [&](const Use& x, const Use& y) { return key(x) < key(y); });
+    sort_uses();
     // An untouched face that hangs at two touched ones is listed twice.
-    const auto same = [&](const Use& x, const Use& y) { return x.facet >= a_.facet_count() && key(x) == key(y); };
+    const auto same = [&](const Use& x, const Use& y) {
+      return x.facet >= a_.facet_count() && x.low == y.low && !before(x, y) && !before(y, x);
+    };
     a_.uses.erase(std::unique(a_.uses.begin(), a_.uses.end(), same), a_.uses.end());
   }
 
  private:
+  /// Order of uses with the same lower vertex.
+  static bool before(const Use& x, const Use& y) {
+    return std::tie(x.high, x.facet, x.left, x.plane) < std::tie(y.high, y.facet, y.left, y.plane);
+  }
+
+  /// By lower vertex through counting, then within each.
+  void sort_uses() {
+    std::vector<std::uint32_t> end(a_.vertices.size() + 1);
+    for (const Use& u : a_.uses) ++end[u.low + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Use> sorted(a_.uses.size());
+    for (const Use& u : a_.uses) sorted[end[u.low]++] = u;
+    a_.uses.swap(sorted);
+    for (std::size_t v = 0, begin = 0; v + 1 < end.size(); begin = end[v++])
+      std::sort(a_.uses.begin() + static_cast<std::ptrdiff_t>(begin),
+                a_.uses.begin() + static_cast<std::ptrdiff_t>(end[v]), before);
+  }
+
   bool untouched(std::uint32_t operand, std::uint32_t f) const {
     return a_.touched.face_of[a_.operands.base[operand] + f] == none;
   }

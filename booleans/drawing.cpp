@@ -6,46 +6,66 @@
 
 namespace quoin::booleans {
 
+void Outline::clear(std::uint32_t new_plane) {
+  plane = new_plane;
+  segments.clear();
+  changes.clear();
+  points.clear();
+  splits.clear();
+  new_points.clear();
+}
+
+void Outline::name_points(VertexTable& vertices) {
+  std::vector<std::uint32_t> names;
+  names.reserve(new_points.size());
+  for (const exact::Point& p : new_points) names.push_back(vertices.id(p));
+  for (Split& s : splits)
+    if (s.vertex & local_bit) s.vertex = names[s.vertex & ~local_bit];
+  new_points.clear();
+}
+
 void Drawing::add_face(std::uint32_t face) {
   const TouchedFace& f = touched_.faces[face];
   for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
     const BoundaryEdge& edge = touched_.edges[e];
     const bool forward = before(edge.from, edge.to);
-    segments_.push_back(
+    outline_.segments.push_back(
         {forward ? edge.from : edge.to, forward ? edge.to : edge.from, edge.other, face, forward == f.along ? 1 : -1});
   }
-  for (std::uint32_t i = f.isolated_begin; i < f.isolated_end; ++i) points_.push_back(touched_.isolated[i]);
+  for (std::uint32_t i = f.isolated_begin; i < f.isolated_end; ++i) add_point(touched_.isolated[i]);
 }
 
 void Drawing::add_segment(const SheetSegment& s) {
   const bool forward = before(s.a, s.b);
-  segments_.push_back({forward ? s.a : s.b, forward ? s.b : s.a, s.line, none, 0});
+  outline_.segments.push_back({forward ? s.a : s.b, forward ? s.b : s.a, s.line, none, 0});
 }
 
 void Drawing::unite_equal_segments() {
-  std::sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) {
+  auto& segments = outline_.segments;
+  std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
     return std::tie(s.a, s.b, s.face, s.change, s.line) < std::tie(t.a, t.b, t.face, t.change, t.line);
   });
   std::uint32_t n = 0;
-  for (const Segment& s : segments_) {
-    if (n == 0 || segments_[n - 1].a != s.a || segments_[n - 1].b != s.b) segments_[n++] = s;
-    if (s.face != none) segment_changes_.push_back({n - 1, s.face, s.change});
+  for (const Segment& s : segments) {
+    if (n == 0 || segments[n - 1].a != s.a || segments[n - 1].b != s.b) segments[n++] = s;
+    if (s.face != none) outline_.changes.push_back({n - 1, s.face, s.change});
   }
-  segments_.resize(n);
-  std::sort(points_.begin(), points_.end());
-  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  segments.resize(n);
+  std::sort(outline_.points.begin(), outline_.points.end());
+  outline_.points.erase(std::unique(outline_.points.begin(), outline_.points.end()), outline_.points.end());
 }
 
 /// visit(i, j) for pairs of segments whose boxes meet, and visit(i, segment count + k) for points k near segment i.
 template <class Visit>
-void Drawing::close_pairs(Visit visit) const {
+void Drawing::close_pairs(Visit visit) {
   struct Extent {
     double ul, uh, vl, vh;
   };
-  const auto n = static_cast<std::uint32_t>(segments_.size());
-  const auto total = n + static_cast<std::uint32_t>(points_.size());
+  const auto n = static_cast<std::uint32_t>(outline_.segments.size());
+  const auto total = n + static_cast<std::uint32_t>(outline_.points.size());
   const auto ends = [&](std::uint32_t i) {
-    return i < n ? std::pair(segments_[i].a, segments_[i].b) : std::pair(points_[i - n], points_[i - n]);
+    return i < n ? std::pair(outline_.segments[i].a, outline_.segments[i].b)
+                 : std::pair(outline_.points[i - n], outline_.points[i - n]);
   };
   if (total <= 24) {
     // Approximations are monotone, so strictly separated ones prove that the segments are.
@@ -78,30 +98,30 @@ void Drawing::close_pairs(Visit visit) const {
 
 void Drawing::find_splits() {
   unite_equal_segments();
-  const auto n = static_cast<std::uint32_t>(segments_.size());
+  const auto n = static_cast<std::uint32_t>(outline_.segments.size());
   close_pairs([&](std::uint32_t i, std::uint32_t j) {
     if (j < n)
       split_pair(i, j);
     else
-      split_by_point(i, points_[j - n]);
+      split_by_point(i, outline_.points[j - n]);
   });
 }
 
 void Drawing::split_by_point(std::uint32_t s, std::uint32_t v) {
-  const Segment& seg = segments_[s];
-  if (v != seg.a && v != seg.b && side(v, seg.line) == 0 && strictly_inside(v, seg)) splits_.push_back({s, v});
+  const Segment& seg = outline_.segments[s];
+  if (v != seg.a && v != seg.b && side(v, seg.line) == 0 && strictly_inside(v, seg)) outline_.splits.push_back({s, v});
 }
 
 void Drawing::split_collinear(std::uint32_t s, std::uint32_t t) {
-  const Segment &p = segments_[s], &q = segments_[t];
+  const Segment &p = outline_.segments[s], &q = outline_.segments[t];
   for (std::uint32_t v : {q.a, q.b})
-    if (v != p.a && v != p.b && strictly_inside(v, p)) splits_.push_back({s, v});
+    if (v != p.a && v != p.b && strictly_inside(v, p)) outline_.splits.push_back({s, v});
   for (std::uint32_t v : {p.a, p.b})
-    if (v != q.a && v != q.b && strictly_inside(v, q)) splits_.push_back({t, v});
+    if (v != q.a && v != q.b && strictly_inside(v, q)) outline_.splits.push_back({t, v});
 }
 
 void Drawing::split_pair(std::uint32_t s, std::uint32_t t) {
-  const Segment &p = segments_[s], &q = segments_[t];
+  const Segment &p = outline_.segments[s], &q = outline_.segments[t];
   if (p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b) {
     // Lines that share a point meet nowhere else unless they are one line.
     ++exact::counters().symbolic;
@@ -115,136 +135,133 @@ void Drawing::split_pair(std::uint32_t s, std::uint32_t t) {
   const int pa = side(p.a, q.line), pb = side(p.b, q.line);
   if (pa * pb > 0) return;
   if (pa * pb == 0) {
-    if (qa * qb < 0) splits_.push_back({t, pa == 0 ? p.a : p.b});
+    if (qa * qb < 0) outline_.splits.push_back({t, pa == 0 ? p.a : p.b});
     return;  // both zero: two ends at one point would be one vertex, so nothing is inside
   }
   if (qa * qb == 0) {
-    splits_.push_back({s, qa == 0 ? q.a : q.b});
+    outline_.splits.push_back({s, qa == 0 ? q.a : q.b});
     return;
   }
   const auto crossing = exact::meet(planes_[plane_], planes_[p.line], planes_[q.line]);
   assert(crossing);
-  const std::uint32_t name = static_cast<std::uint32_t>(new_points_.size()) | local_bit;
-  new_points_.push_back(*crossing);
-  splits_.push_back({s, name});
-  splits_.push_back({t, name});
+  const std::uint32_t name = static_cast<std::uint32_t>(outline_.new_points.size()) | local_bit;
+  outline_.new_points.push_back(*crossing);
+  outline_.splits.push_back({s, name});
+  outline_.splits.push_back({t, name});
 }
 
-void Drawing::name_points(VertexTable& vertices) {
-  std::vector<std::uint32_t> names;
-  names.reserve(new_points_.size());
-  for (const exact::Point& p : new_points_) names.push_back(vertices.id(p));
-  for (Split& s : splits_)
-    if (s.vertex & local_bit) s.vertex = names[s.vertex & ~local_bit];
-  new_points_ = {};
-}
-
-void Drawing::make_elements(Sheet& sheet) {
-  std::sort(splits_.begin(), splits_.end(), [&](const Split& s, const Split& t) {
+/// The segments, cut at their splits.
+void Drawing::make_pieces() {
+  auto& splits = outline_.splits;
+  std::sort(splits.begin(), splits.end(), [&](const Split& s, const Split& t) {
     if (s.segment != t.segment) return s.segment < t.segment;
     return s.vertex != t.vertex && before(s.vertex, t.vertex);
   });
-  struct Piece {
-    std::uint32_t a, b, line, segment;
-  };
-  std::vector<Piece> pieces;
+  pieces_.clear();
   std::size_t at = 0;
-  for (std::uint32_t s = 0; s < segments_.size(); ++s) {
-    std::uint32_t from = segments_[s].a;
-    for (; at < splits_.size() && splits_[at].segment == s; ++at) {
-      if (splits_[at].vertex == from) continue;
-      pieces.push_back({from, splits_[at].vertex, segments_[s].line, s});
-      from = splits_[at].vertex;
+  for (std::uint32_t i = 0; i < outline_.segments.size(); ++i) {
+    const Segment& s = outline_.segments[i];
+    std::uint32_t from = s.a;
+    for (; at < splits.size() && splits[at].segment == i; ++at) {
+      if (splits[at].vertex == from) continue;
+      pieces_.push_back({from, splits[at].vertex, s.line, i});
+      from = splits[at].vertex;
     }
-    pieces.push_back({from, segments_[s].b, segments_[s].line, s});
+    pieces_.push_back({from, s.b, s.line, i});
   }
-  // Pieces of overlapping segments coincide; each becomes one element with the changes of all.
-  std::vector<std::uint32_t> change_start(segments_.size() + 1);
-  for (const Change& c : segment_changes_) ++change_start[c.element + 1];
-  std::partial_sum(change_start.begin(), change_start.end(), change_start.begin());
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
-    return std::tie(p.a, p.b, p.segment) < std::tie(q.a, q.b, q.segment);
+}
+
+/// Pieces of overlapping segments coincide; each becomes one element with the changes of all.
+void Drawing::make_elements() {
+  make_pieces();
+  change_start_.assign(outline_.segments.size() + 1, 0);
+  for (const Change& c : outline_.changes) ++change_start_[c.element + 1];
+  std::partial_sum(change_start_.begin(), change_start_.end(), change_start_.begin());
+  std::sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) {
+    return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.segment < q.segment;
   });
-  for (const Piece& p : pieces) {
-    if (sheet.elements.empty() || sheet.elements.back().a != p.a || sheet.elements.back().b != p.b)
-      sheet.elements.push_back({p.a, p.b, p.line});
-    for (std::uint32_t c = change_start[p.segment]; c < change_start[p.segment + 1]; ++c)
+  elements_.clear();
+  changes_.clear();
+  direction_.clear();
+  for (const Piece& p : pieces_) {
+    if (elements_.empty() || elements_.back().a != p.a || elements_.back().b != p.b) {
+      elements_.push_back({p.a, p.b, p.line});
+      direction_.push_back(frame_.direction(planes_[plane_], planes_[p.line]));
+    }
+    for (std::uint32_t c = change_start_[p.segment]; c < change_start_[p.segment + 1]; ++c)
       changes_.push_back(
-          {static_cast<std::uint32_t>(sheet.elements.size() - 1), segment_changes_[c].face, segment_changes_[c].by});
+          {static_cast<std::uint32_t>(elements_.size() - 1), outline_.changes[c].face, outline_.changes[c].by});
   }
-  direction_.reserve(sheet.elements.size());
-  for (const auto& e : sheet.elements) direction_.push_back(frame_.direction(planes_[plane_], planes_[e.line]));
 }
 
-void Drawing::collect_vertices(const Sheet& sheet) {
-  for (const auto& e : sheet.elements) {
-    vertex_ids_.push_back(e.a);
-    vertex_ids_.push_back(e.b);
+void Drawing::collect_vertices() {
+  by_id_.assign(outline_.points.begin(), outline_.points.end());
+  for (const auto& e : elements_) {
+    by_id_.push_back(e.a);
+    by_id_.push_back(e.b);
   }
-  vertex_ids_.insert(vertex_ids_.end(), points_.begin(), points_.end());
-  std::sort(vertex_ids_.begin(), vertex_ids_.end());
-  vertex_ids_.erase(std::unique(vertex_ids_.begin(), vertex_ids_.end()), vertex_ids_.end());
-  std::vector<std::uint32_t> by_id = vertex_ids_;
+  std::sort(by_id_.begin(), by_id_.end());
+  by_id_.erase(std::unique(by_id_.begin(), by_id_.end()), by_id_.end());
+  vertex_ids_ = by_id_;
   std::sort(vertex_ids_.begin(), vertex_ids_.end(), [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
-  std::vector<std::uint32_t> rank_by_id(by_id.size());
   const auto index = [&](std::uint32_t v) {
-    return static_cast<std::size_t>(std::lower_bound(by_id.begin(), by_id.end(), v) - by_id.begin());
+    return std::lower_bound(by_id_.begin(), by_id_.end(), v) - by_id_.begin();
   };
-  for (std::uint32_t i = 0; i < vertex_ids_.size(); ++i) rank_by_id[index(vertex_ids_[i])] = i;
-  rank_.resize(2 * sheet.elements.size());
-  for (std::uint32_t h = 0; h < rank_.size(); ++h) rank_[h] = rank_by_id[index(sheet.origin(h))];
+  rank_by_id_.resize(by_id_.size());
+  const auto rank = [&](std::uint32_t v) -> std::uint32_t& { return rank_by_id_[static_cast<std::size_t>(index(v))]; };
+  for (std::uint32_t i = 0; i < vertex_ids_.size(); ++i) rank(vertex_ids_[i]) = i;
+  rank_.resize(half_edges());
+  for (std::uint32_t h = 0; h < rank_.size(); ++h) rank_[h] = rank(origin(h));
 }
 
-void Drawing::sort_around_vertices(Sheet& sheet) {
+void Drawing::sort_around_vertices() {
   first_out_.assign(vertex_ids_.size() + 1, 0);
   for (std::uint32_t r : rank_) ++first_out_[r + 1];
   std::partial_sum(first_out_.begin(), first_out_.end(), first_out_.begin());
   out_.resize(rank_.size());
-  std::vector<std::uint32_t> at(first_out_.begin(), first_out_.end() - 1);
-  for (std::uint32_t h = 0; h < rank_.size(); ++h) out_[at[rank_[h]]++] = h;
+  at_.assign(first_out_.begin(), first_out_.end() - 1);
+  for (std::uint32_t h = 0; h < rank_.size(); ++h) out_[at_[rank_[h]]++] = h;
   // Counter-clockwise from straight down: first the half-edges that run forward (to the right), then the others. Within
-  // a half the turn of the directions direction * (n x n_line) decides, as det(n, n_line, n_line').
+  // a half, which spans less than a straight angle, the later one ends on the left of the earlier one.
   const auto earlier = [&](std::uint32_t g, std::uint32_t h) {
     if ((g & 1) != (h & 1)) return (g & 1) == 0;
-    const std::uint32_t e = g / 2, f = h / 2;
-    return direction_[e] * direction_[f] *
-               exact::turn(planes_[plane_], planes_[sheet.elements[e].line], planes_[sheet.elements[f].line]) >
-           0;
+    return g != h && left_of(g, origin(h ^ 1)) > 0;
   };
-  sheet.clockwise.resize(rank_.size());
+  clockwise_.resize(rank_.size());
   for (std::size_t v = 0; v + 1 < first_out_.size(); ++v) {
     const std::uint32_t begin = first_out_[v], end = first_out_[v + 1];
     if (end - begin > 1) std::sort(out_.begin() + begin, out_.begin() + end, earlier);
-    for (std::uint32_t i = begin; i < end; ++i) sheet.clockwise[out_[i]] = out_[i > begin ? i - 1 : end - 1];
+    for (std::uint32_t i = begin; i < end; ++i) clockwise_[out_[i]] = out_[i > begin ? i - 1 : end - 1];
   }
 }
 
-void Drawing::trace_loops(const Sheet& sheet) {
+void Drawing::trace_loops() {
+  loop_count_ = 0;
   loop_.assign(rank_.size(), none);
   for (std::uint32_t h = 0; h < loop_.size(); ++h) {
     if (loop_[h] != none) continue;
-    for (std::uint32_t g = h; loop_[g] == none; g = sheet.clockwise[g ^ 1]) loop_[g] = loop_count_;
+    for (std::uint32_t g = h; loop_[g] == none; g = clockwise_[g ^ 1]) loop_[g] = loop_count_;
     ++loop_count_;
   }
 }
 
 void Drawing::find_components() {
   component_.assign(vertex_ids_.size(), none);
-  std::vector<std::uint32_t> stack;
+  leftmost_.clear();
   for (std::uint32_t v = 0; v < component_.size(); ++v) {
     if (component_[v] != none) continue;
     const auto c = static_cast<std::uint32_t>(leftmost_.size());
     leftmost_.push_back(v);
     component_[v] = c;
-    stack.push_back(v);
-    while (!stack.empty()) {
-      const std::uint32_t w = stack.back();
-      stack.pop_back();
+    stack_.assign(1, v);
+    while (!stack_.empty()) {
+      const std::uint32_t w = stack_.back();
+      stack_.pop_back();
       for (std::uint32_t i = first_out_[w]; i < first_out_[w + 1]; ++i) {
         const std::uint32_t x = rank_[out_[i] ^ 1];
         if (component_[x] != none) continue;
         component_[x] = c;
-        stack.push_back(x);
+        stack_.push_back(x);
       }
     }
   }
@@ -252,18 +269,17 @@ void Drawing::find_components() {
 
 /// +1 when the vertex lies above (left of) the element's line, 0 on it, -1 below. Left of n x n_line is where the
 /// line's plane is negative.
-int Drawing::above(const Sheet& sheet, std::uint32_t vertex, std::uint32_t e) const {
-  return -direction_[e] * side(vertex, sheet.elements[e].line);
+int Drawing::above(std::uint32_t vertex, std::uint32_t e) const {
+  return -direction_[e] * side(vertex, elements_[e].line);
 }
 
 /// Order of two elements that a vertical line crosses: no two elements cross.
-bool Drawing::element_lower(const Sheet& sheet, std::uint32_t e, std::uint32_t f) const {
+bool Drawing::element_lower(std::uint32_t e, std::uint32_t f) const {
   if (e == f) return false;
-  const auto &p = sheet.elements[e], &q = sheet.elements[f];
-  if (p.a == q.a)
-    return direction_[e] * direction_[f] * exact::turn(planes_[plane_], planes_[p.line], planes_[q.line]) > 0;
-  if (before(p.a, q.a)) return above(sheet, q.a, e) > 0;
-  return above(sheet, p.a, f) < 0;
+  const auto &p = elements_[e], &q = elements_[f];
+  if (p.a == q.a) return above(q.b, e) > 0;
+  if (before(p.a, q.a)) return above(q.a, e) > 0;
+  return above(p.a, f) < 0;
 }
 
 /// The sweep's order of elements, and of a vertex among them.
@@ -273,24 +289,23 @@ struct Drawing::Lower {
   };
   using is_transparent = void;
   const Drawing* drawing;
-  const Sheet* sheet;
-  bool operator()(std::uint32_t e, std::uint32_t f) const { return drawing->element_lower(*sheet, e, f); }
-  bool operator()(std::uint32_t e, Vertex v) const { return drawing->above(*sheet, v.id, e) > 0; }
-  bool operator()(Vertex v, std::uint32_t e) const { return drawing->above(*sheet, v.id, e) < 0; }
+  bool operator()(std::uint32_t e, std::uint32_t f) const { return drawing->element_lower(e, f); }
+  bool operator()(std::uint32_t e, Vertex v) const { return drawing->above(v.id, e) > 0; }
+  bool operator()(Vertex v, std::uint32_t e) const { return drawing->above(v.id, e) < 0; }
 };
 
 /// Assigns facets to loops. Each component has one loop that looks outward: the one that sees "left" at its leftmost
 /// vertex. It belongs to the facet above the element below that vertex, found by one sweep; every other loop bounds a
 /// facet of its own.
-void Drawing::nest_components(const Sheet& sheet) {
-  std::vector<std::uint32_t> outward(leftmost_.size(), none);
+void Drawing::nest_components() {
+  outward_.assign(leftmost_.size(), none);
   for (std::size_t c = 0; c < leftmost_.size(); ++c) {
     const std::uint32_t v = leftmost_[c];
-    if (first_out_[v] != first_out_[v + 1]) outward[c] = loop_[out_[first_out_[v + 1] - 1]];
+    if (first_out_[v] != first_out_[v + 1]) outward_[c] = loop_[out_[first_out_[v + 1] - 1]];
   }
   facet_total_ = 1;
   facet_of_loop_.assign(loop_count_, none);
-  for (std::uint32_t l : outward)
+  for (std::uint32_t l : outward_)
     if (l != none) facet_of_loop_[l] = 0;
   for (std::uint32_t& f : facet_of_loop_)
     if (f == none) f = facet_total_++;
@@ -298,8 +313,8 @@ void Drawing::nest_components(const Sheet& sheet) {
   if (leftmost_.size() == 1) return;
 
   using Status = std::set<std::uint32_t, Lower>;
-  Status status(Lower{this, &sheet});
-  std::vector<Status::iterator> place(sheet.elements.size());
+  Status status(Lower{this});
+  std::vector<Status::iterator> place(elements_.size());
   for (std::uint32_t v = 0; v < vertex_ids_.size(); ++v) {
     const std::uint32_t c = component_[v];
     if (leftmost_[c] == v && !status.empty()) {
@@ -307,7 +322,7 @@ void Drawing::nest_components(const Sheet& sheet) {
       const auto at = status.lower_bound(Lower::Vertex{vertex_ids_[v]});
       if (at != status.begin()) {
         facet_of_component_[c] = facet_of_loop_[loop_[2 * *std::prev(at)]];
-        if (outward[c] != none) facet_of_loop_[outward[c]] = facet_of_component_[c];
+        if (outward_[c] != none) facet_of_loop_[outward_[c]] = facet_of_component_[c];
       }
     }
     for (std::uint32_t i = first_out_[v]; i < first_out_[v + 1]; ++i)
@@ -317,76 +332,87 @@ void Drawing::nest_components(const Sheet& sheet) {
   }
 }
 
-/// Walks from the unbounded facet over the elements and keeps the set of faces that cover each facet.
-void Drawing::cover_facets(Sheet& sheet) {
-  const std::size_t n = sheet.elements.size();
-  std::vector<std::uint32_t> change_start(n + 1);
-  for (const Change& c : changes_) ++change_start[c.element + 1];
-  std::partial_sum(change_start.begin(), change_start.end(), change_start.begin());
+/// Walks from the unbounded facet over the elements and lists the faces that cover each facet.
+void Drawing::cover_facets() {
+  change_start_.assign(elements_.size() + 1, 0);
+  for (const Change& c : changes_) ++change_start_[c.element + 1];
+  std::partial_sum(change_start_.begin(), change_start_.end(), change_start_.begin());
 
-  // Elements by the facets on their two sides.
-  std::vector<std::uint32_t> start(facet_total_ + 1), sides(2 * n);
+  // Half-edges by the facet on their left.
   const auto left = [&](std::uint32_t h) { return facet_of_loop_[loop_[h]]; };
-  for (std::uint32_t h = 0; h < 2 * n; ++h) ++start[left(h) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-  for (std::uint32_t h = 0; h < 2 * n; ++h) sides[at[left(h)]++] = h;
+  start_.assign(facet_total_ + 1, 0);
+  sides_.resize(half_edges());
+  for (std::uint32_t h = 0; h < half_edges(); ++h) ++start_[left(h) + 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  at_.assign(start_.begin(), start_.end() - 1);
+  for (std::uint32_t h = 0; h < half_edges(); ++h) sides_[at_[left(h)]++] = h;
 
-  std::vector<std::vector<std::pair<std::uint32_t, int>>> cover(facet_total_);  // (face, multiplicity)
-  std::vector<std::uint8_t> seen(facet_total_);
-  std::vector<std::uint32_t> queue{0};
-  seen[0] = 1;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    for (std::uint32_t s = start[queue[i]]; s < start[queue[i] + 1]; ++s) {
-      const std::uint32_t h = sides[s], to = left(h ^ 1);
-      if (seen[to]) continue;
-      seen[to] = 1;
-      queue.push_back(to);
-      cover[to] = cover[queue[i]];
+  covers_.clear();
+  cover_of_.assign(facet_total_, {none, none});
+  cover_of_[0] = {0, 0};
+  stack_.assign(1, 0u);
+  while (!stack_.empty()) {
+    const std::uint32_t from = stack_.back();
+    stack_.pop_back();
+    for (std::uint32_t s = start_[from]; s < start_[from + 1]; ++s) {
+      const std::uint32_t h = sides_[s], to = left(h ^ 1);
+      if (cover_of_[to][0] != none) continue;
+      stack_.push_back(to);
+      const auto begin = static_cast<std::uint32_t>(covers_.size());
+      for (std::uint32_t i = cover_of_[from][0]; i < cover_of_[from][1]; ++i) covers_.push_back(Cover(covers_[i]));
       // Half-edge 2e has the left side here, so going to the right takes the change away.
       const int sign = h & 1 ? 1 : -1;
-      for (std::uint32_t c = change_start[h / 2]; c < change_start[h / 2 + 1]; ++c) {
-        const auto same = std::find_if(cover[to].begin(), cover[to].end(),
-                                       [&](const auto& x) { return x.first == changes_[c].face; });
-        if (same == cover[to].end())
-          cover[to].push_back({changes_[c].face, sign * changes_[c].by});
-        else
-          same->second += sign * changes_[c].by;
+      for (std::uint32_t c = change_start_[h / 2]; c < change_start_[h / 2 + 1]; ++c) {
+        std::uint32_t i = begin;
+        while (i < covers_.size() && covers_[i].face != changes_[c].face) ++i;
+        if (i == covers_.size()) covers_.push_back({changes_[c].face, 0});
+        covers_[i].times += sign * changes_[c].by;
+        if (covers_[i].times != 0) continue;
+        covers_[i] = covers_.back();
+        covers_.pop_back();
       }
-      std::erase_if(cover[to], [](const auto& x) { return x.second == 0; });
+      cover_of_[to] = {begin, static_cast<std::uint32_t>(covers_.size())};
     }
-  }
-  std::vector<std::uint32_t> name(facet_total_, none);
-  for (std::uint32_t f = 0; f < facet_total_; ++f) {
-    if (cover[f].empty()) continue;
-    name[f] = static_cast<std::uint32_t>(sheet.facet_count());
-    std::sort(cover[f].begin(), cover[f].end());
-    // A face lies on the left of its boundary, so no count is negative; of bad input the labels show it (`select`).
-    for (const auto& [face, times] : cover[f])
-      sheet.cover.insert(sheet.cover.end(), static_cast<std::size_t>(std::max(times, 0)), face);
-    sheet.cover_start.push_back(static_cast<std::uint32_t>(sheet.cover.size()));
-  }
-  sheet.facet.resize(2 * n);
-  for (std::uint32_t h = 0; h < 2 * n; ++h) sheet.facet[h] = name[left(h)];
-  for (std::size_t c = 0; c < leftmost_.size(); ++c) {
-    const std::uint32_t v = leftmost_[c];
-    if (first_out_[v] != first_out_[v + 1]) continue;
-    const std::uint32_t f = name[facet_of_component_[c]];
-    if (f != none) sheet.isolated.push_back({vertex_ids_[v], f});
   }
 }
 
-Sheet Drawing::draw() {
-  Sheet sheet;
-  sheet.plane = plane_;
-  make_elements(sheet);
-  collect_vertices(sheet);
-  sort_around_vertices(sheet);
-  trace_loops(sheet);
+/// Names the covered facets and adds everything to the lists.
+void Drawing::write(SheetLists& lists) {
+  name_.assign(facet_total_, none);
+  std::uint32_t count = 0;
+  const std::size_t first = lists.cover.size();
+  lists.cover_start.push_back(0);
+  for (std::uint32_t f = 0; f < facet_total_; ++f) {
+    const auto [begin, end] = cover_of_[f];
+    if (begin == end) continue;
+    name_[f] = count++;
+    std::sort(covers_.begin() + begin, covers_.begin() + end,
+              [](const Cover& x, const Cover& y) { return x.face < y.face; });
+    // A face lies on the left of its boundary, so no count is negative; of bad input the labels show it (`select`).
+    for (std::uint32_t i = begin; i < end; ++i)
+      lists.cover.insert(lists.cover.end(), static_cast<std::size_t>(std::max(covers_[i].times, 0)), covers_[i].face);
+    lists.cover_start.push_back(static_cast<std::uint32_t>(lists.cover.size() - first));
+  }
+  for (std::uint32_t h = 0; h < half_edges(); ++h) lists.facet.push_back(name_[facet_of_loop_[loop_[h]]]);
+  lists.elements.insert(lists.elements.end(), elements_.begin(), elements_.end());
+  lists.clockwise.insert(lists.clockwise.end(), clockwise_.begin(), clockwise_.end());
+  for (std::size_t c = 0; c < leftmost_.size(); ++c) {
+    const std::uint32_t v = leftmost_[c];
+    if (first_out_[v] != first_out_[v + 1]) continue;
+    const std::uint32_t f = name_[facet_of_component_[c]];
+    if (f != none) lists.isolated.push_back({vertex_ids_[v], f});
+  }
+}
+
+void Drawing::draw(SheetLists& lists) {
+  make_elements();
+  collect_vertices();
+  sort_around_vertices();
+  trace_loops();
   find_components();
-  nest_components(sheet);
-  cover_facets(sheet);
-  return sheet;
+  nest_components();
+  cover_facets();
+  write(lists);
 }
 
 }  // namespace quoin::booleans

@@ -71,7 +71,7 @@ class SheetProof {
           (f != none && sheet_.cover_start[f + 1] - sheet_.cover_start[f] != 1))
         return sheet_.origin(h);
     }
-    std::vector<std::uint32_t> covers = sheet_.cover;
+    std::vector<std::uint32_t> covers(sheet_.cover.begin(), sheet_.cover.end());
     std::sort(covers.begin(), covers.end());
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (i >= covers.size() || covers[i] != faces_[i])

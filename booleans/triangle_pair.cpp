@@ -57,7 +57,61 @@ bool meet_in_plane(const GridPoint& p, const GridPoint& q, const GridTriangle& t
   return false;
 }
 
+/// The signs of the corners of q against the plane of p.
+std::array<int, 3> sides(const GridTriangle& p, const GridTriangle& q) {
+  std::array<std::int64_t, 3> u{}, v{}, n{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = std::int64_t{p[1].c[k]} - p[0].c[k];
+    v[k] = std::int64_t{p[2].c[k]} - p[0].c[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+  std::array<int, 3> r{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    exact::int128 value = 0;
+    for (std::size_t k = 0; k < 3; ++k) value += exact::int128(n[k]) * (std::int64_t{q[i].c[k]} - p[0].c[k]);
+    r[i] = value > 0 ? 1 : value < 0 ? -1 : 0;
+  }
+  return r;
+}
+
+/// The corner that the other plane cuts off, alone on its closed side: the first one strictly on a side that has none
+/// of the others, else the only one on the plane. `side` becomes the side on which it counts as lying.
+/// Precondition: not all signs are equal.
+std::size_t apex(const std::array<int, 3>& s, int& side) {
+  for (const bool on_plane : {false, true})
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int j = s[(i + 1) % 3], k = s[(i + 2) % 3];
+      side = on_plane ? -j : s[i];
+      if (on_plane ? s[i] == 0 && j * k > 0 : side != 0 && side * j <= 0 && side * k <= 0) return i;
+    }
+  return 0;  // not reached
+}
+
+bool meet_in_plane(const GridTriangle& p, const GridTriangle& q) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (meet_in_plane(p[i], p[(i + 1) % 3], q)) return true;
+  return meet_in_plane(q[0], q[1], p);  // q may lie within p
+}
+
+bool all_equal(const std::array<int, 3>& s) { return s[0] == s[1] && s[0] == s[2]; }
+
 }  // namespace
+
+/// Where both planes cut the other triangle, each meets the common line in an interval between the two edges at the
+/// corner that is cut off; the intervals are compared by the orientations of those edges.
+bool meet(const GridTriangle& p, const GridTriangle& q) {
+  const std::array<int, 3> sq = sides(p, q);
+  if (all_equal(sq)) return sq[0] == 0 && meet_in_plane(p, q);
+  const std::array<int, 3> sp = sides(q, p);
+  if (all_equal(sp)) return false;
+  int side_p = 0, side_q = 0;
+  const std::size_t i = apex(sp, side_p), j = apex(sq, side_q);
+  // Turned so that each cut-off corner lies on the other's positive side.
+  const GridPoint &p0 = p[i], &q0 = q[j];
+  const GridPoint &p1 = p[(i + (side_q > 0 ? 1 : 2)) % 3], &p2 = p[(i + (side_q > 0 ? 2 : 1)) % 3];
+  const GridPoint &q1 = q[(j + (side_p > 0 ? 1 : 2)) % 3], &q2 = q[(j + (side_p > 0 ? 2 : 1)) % 3];
+  return orientation(p0, p1, q0, q1) <= 0 && orientation(p0, p2, q2, q0) <= 0;
+}
 
 bool meet(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
   const int sp = orientation(t[0], t[1], t[2], p), sq = orientation(t[0], t[1], t[2], q);

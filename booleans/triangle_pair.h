@@ -18,4 +18,8 @@ int orientation(const exact::GridPoint& a, const exact::GridPoint& b, const exac
 /// Do the closed segment and the closed triangle (of non-zero area) share a point?
 bool meet(const exact::GridPoint& p, const exact::GridPoint& q, const GridTriangle& t);
 
+/// Do two closed triangles (of non-zero area) share a point?
+/// Source: P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
+bool meet(const GridTriangle& p, const GridTriangle& q);
+
 }  // namespace quoin::booleans

@@ -1,0 +1,230 @@
+/// Runs one generated workload and prints its stage times, memory, size and laws as one line of JSON, or writes its
+/// operands into a folder for the programs of bench/compare.
+/// Usage: quoin-workloads NAME [SIZE [THREADS]] | quoin-workloads write NAME SIZE FOLDER; without arguments it lists
+/// the names.
+#include <sys/resource.h>
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/workloads.h"
+#include "examples/mesh_file.h"
+#include "quoin/quoin.h"
+
+namespace {
+
+using namespace quoin;
+using bench::Operation;
+using bench::Workload;
+
+Options run_options;
+Grid grid;
+
+/// CPU seconds a stage, in the order in which they first come.
+class Clock {
+ public:
+  void begin(const char* stage) {
+    end();
+    for (at_ = 0; at_ < stages_.size() && stages_[at_].first != stage;) ++at_;
+    if (at_ == stages_.size()) stages_.emplace_back(stage, 0.0);
+    start_ = std::clock();
+  }
+  void end() {
+    if (at_ < stages_.size()) stages_[at_].second += double(std::clock() - start_) / CLOCKS_PER_SEC;
+    at_ = SIZE_MAX;
+  }
+  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
+  double sum() const {
+    double s = 0;
+    for (const auto& [name, seconds] : stages_) s += seconds;
+    return s;
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> stages_;
+  std::size_t at_ = SIZE_MAX;
+  std::clock_t start_ = 0;
+};
+Clock importing, combining, exporting;
+
+template <class Work>
+auto timed(Clock& clock, const char* first, Work work) {
+  clock.begin(first);
+  auto result = work();
+  clock.end();
+  return result;
+}
+
+Options watched(Clock& clock) {
+  Options options = run_options;
+  options.stage = [&clock](const char* name) { clock.begin(name); };
+  return options;
+}
+
+template <class T>
+T must(Result<T> result) {
+  if (result) return std::move(result).value();
+  std::fprintf(stderr, "%s: %s\n", result.error().code.c_str(), result.error().message.c_str());
+  std::exit(1);
+}
+
+Solid import(const Mesh& mesh) {
+  ImportOptions options;
+  options.grid = grid;
+  options.run = watched(importing);
+  return timed(importing, "prepare", [&] { return must(Solid::from_triangles(mesh.points, mesh.triangles, options)); });
+}
+
+std::vector<Solid> import(const std::vector<Mesh>& meshes) {
+  std::vector<Solid> r;
+  for (const Mesh& m : meshes) r.push_back(import(m));
+  return r;
+}
+
+Solid boolean(const Expression& e) {
+  return timed(combining, "prepare", [&] { return must(evaluate(e, watched(combining))); });
+}
+
+Expression all_of(const std::vector<Solid>& solids) { return Expression::union_of({solids.begin(), solids.end()}); }
+
+using Rational = boost::multiprecision::mpq_rational;
+
+/// Precondition: the solid is bounded.
+Rational volume(const Solid& solid) { return Rational(solid.volume().value()); }
+Rational volume(const Expression& e) { return volume(must(evaluate(e, run_options))); }
+
+/// vol(A) + vol(B) = vol(A u B) + vol(A n B), vol(A) = vol(A - B) + vol(A n B), all exactly; `result` is A op B.
+bool volumes_add_up(const Solid& result, char operation, const Expression& a, const Expression& b) {
+  const Rational known = volume(result), common = operation == 'i' ? known : volume(a & b);
+  if (operation == 'd') return volume(a) == known + common;
+  return volume(a) + volume(b) == (operation == 'u' ? known : volume(a + b)) + common;
+}
+
+/// (A - B) u (A n B) = A.
+bool splits_exactly(const Solid& a, const Solid& b) {
+  const Solid difference = must(evaluate(Expression(a) - b, run_options)),
+              common = must(evaluate(Expression(a) & b, run_options));
+  return must(evaluate(Expression(difference) + common, run_options)) == a;
+}
+
+long peak_now() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+/// The law that a workload's result is held against, and whether it holds.
+struct Law {
+  std::string text = "volumes add up";
+  bool holds = true;
+};
+
+Law law_of_two(const Workload& w, const std::vector<Solid>& s, const Solid& result) {
+  const char operation = w.operation == Operation::unite ? 'u' : w.operation == Operation::intersect ? 'i' : 'd';
+  return {"(A - B) u (A n B) = A, volumes add up",
+          splits_exactly(s[0], s[1]) && volumes_add_up(result, operation, s[0], s[1])};
+}
+
+Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const Solid& before, const Solid& result) {
+  if (w.name.starts_with("cubes")) return {"one box of 6 faces", result.info().faces == 6};
+  if (w.name == "menger") {
+    const std::string volume = std::to_string(std::llround(std::pow(20.0, double(size))));
+    return {"volume " + volume, result.volume() == volume};
+  }
+  if (w.operation == Operation::subtract_each)
+    return {"volumes of the last operation add up", volumes_add_up(result, 'd', before, s.back())};
+  if (s.size() == 2) return law_of_two(w, s, result);
+  const auto middle = s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2);
+  if (w.operation == Operation::unite)
+    return {"volumes add up", volumes_add_up(result, 'u', all_of({s.begin(), middle}), all_of({middle, s.end()}))};
+  return {"64 walls a hole and 6 faces, volumes add up",
+          result.info().faces == 64 * (s.size() - 1) + 6 &&
+              volumes_add_up(result, 'd', s[0], all_of({s.begin() + 1, s.end()}))};
+}
+
+/// The result; `before` becomes the first operand of the last operation.
+Solid combine(Operation operation, const std::vector<Solid>& s, Solid& before) {
+  if (operation == Operation::unite) return boolean(all_of(s));
+  if (operation == Operation::intersect) return boolean(Expression::intersection_of({s.begin(), s.end()}));
+  if (operation == Operation::subtract) return boolean(Expression(s[0]) - all_of({s.begin() + 1, s.end()}));
+  Solid result = s[0];
+  for (std::size_t i = 1; i < s.size(); ++i) {
+    before = result;
+    result = boolean(operation == Operation::unite_each ? Expression(before) + s[i] : Expression(before) - s[i]);
+  }
+  return result;
+}
+
+int write(const Workload& w, std::size_t size, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/operation") << bench::name(w.operation) << "\n";
+  std::ofstream(folder + "/step") << w.step << "\n";
+  std::size_t i = 0;
+  for (const Mesh& mesh : w.operands(size))
+    if (auto written = examples::write_mesh_file(folder + "/" + std::to_string(i++) + ".off", mesh); !written) {
+      std::fprintf(stderr, "%s\n", written.error().message.c_str());
+      return 1;
+    }
+  return 0;
+}
+
+int run(const Workload& w, std::size_t size) {
+  grid = must(Grid::with_step(w.step));
+  const std::vector<Solid> solids = import(w.operands(size));
+  Solid before = solids[0];
+  const Solid result = combine(w.operation, solids, before);
+  const long peak_mb = peak_now() / 1024;  // before the law is tried
+  ExportReport report;
+  const Mesh mesh =
+      timed(exporting, "triangulate, round, check", [&] { return must(result.to_triangles({}, &report)); });
+  const Law tried = law(w, size, solids, before, result);
+  std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", w.name.c_str(), size, run_options.threads);
+  const std::array<std::pair<const char*, const Clock*>, 3> clocks{
+      {{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
+  for (const auto& [name, clock] : clocks) {
+    std::printf(", \"%s\": %.3f, \"%s_stages\": {", name, clock->sum(), name);
+    const char* comma = "";
+    for (const auto& [stage, seconds] : clock->stages()) {
+      std::printf("%s\"%s\": %.3f", comma, stage.c_str(), seconds);
+      comma = ", ";
+    }
+    std::printf("}");
+  }
+  std::printf(
+      ", \"peak_mb\": %ld, \"vertices\": %zu, \"triangles\": %zu, \"closed\": %s, \"flipped\": %llu, \"volume\": "
+      "%.17g, \"law\": \"%s\", "
+      "\"holds\": %s}\n",
+      peak_mb, mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false",
+      static_cast<unsigned long long>(report.flipped), volume(result).convert_to<double>(), tried.text.c_str(),
+      tried.holds ? "true" : "false");
+  return report.closed && tried.holds ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool writes = argc == 5 && std::string(argv[1]) == "write";
+  const Workload* workload = argc < 2 ? nullptr : bench::find_workload(argv[writes ? 2 : 1]);
+  if (workload == nullptr) {
+    for (const Workload& w : bench::workloads())
+      std::printf("%-22s %-14s %zu %s\n", w.name.c_str(), bench::name(w.operation), w.default_size, w.unit.c_str());
+    return argc < 2 ? 0 : 2;
+  }
+  const auto number = [&](int i, std::size_t otherwise) {
+    return argc > i ? std::size_t{std::strtoull(argv[i], nullptr, 10)} : otherwise;
+  };
+  if (writes) return write(*workload, number(3, 0), argv[4]);
+  run_options.threads = static_cast<unsigned>(number(3, 1));
+  return run(*workload, number(2, workload->default_size));
+}

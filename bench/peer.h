@@ -1,0 +1,104 @@
+/// \file
+/// What all programs that bench/compare runs have in common: they read the operands of a workload from a folder, go
+/// from arrays to arrays, and print what it took as one line of JSON.
+///
+/// usage: PROGRAM FOLDER THREADS
+/// FOLDER holds `operation` (the word of bench::name(Operation)), `step` and 0.off, 1.off, ..
+#pragma once
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "examples/mesh_file.h"
+
+namespace quoin::bench {
+
+struct Task {
+  std::string operation, step;
+  std::vector<Mesh> operands;
+  unsigned threads = 1;
+};
+
+inline Task read_task(const std::string& folder, const char* threads) {
+  Task task;
+  task.threads = static_cast<unsigned>(std::strtoul(threads, nullptr, 10));
+  std::ifstream(folder + "/operation") >> task.operation;
+  std::ifstream(folder + "/step") >> task.step;
+  for (std::size_t i = 0;; ++i) {
+    const std::string path = folder + "/" + std::to_string(i) + ".off";
+    if (!std::filesystem::exists(path)) return task;
+    Result<Mesh> mesh = examples::read_mesh_file(path);
+    if (!mesh) {
+      std::fprintf(stderr, "%s: %s\n", path.c_str(), mesh.error().message.c_str());
+      std::exit(1);
+    }
+    task.operands.push_back(std::move(mesh).value());
+  }
+}
+
+inline double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+inline double wall_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+/// Six times the volume is summed in long double, from the first corner.
+inline double volume(const Mesh& m) {
+  long double sum = 0;
+  const auto p = [&](std::size_t t, std::size_t i, std::size_t k) -> long double {
+    return m.points[3 * std::size_t{m.triangles[t + i]} + k] - m.points[k];
+  };
+  for (std::size_t t = 0; t < m.triangles.size(); t += 3)
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += p(t, 0, k) * (p(t, 1, (k + 1) % 3) * p(t, 2, (k + 2) % 3) - p(t, 1, (k + 2) % 3) * p(t, 2, (k + 1) % 3));
+  return static_cast<double>(sum / 6);
+}
+
+/// A field of /proc/self/status, bytes.
+inline long memory(const std::string& field) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == field + ":") {
+      long kb = 0;
+      status >> kb;
+      return kb * 1024;
+    }
+  return 0;
+}
+
+/// Solids solids = import(task); Solid result = combine(task, solids); Mesh mesh = to_mesh(result).
+template <class Import, class Combine, class ToMesh>
+int run_peer(int argc, char** argv, Import import, Combine combine, ToMesh to_mesh) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: %s FOLDER THREADS\n", argv[0]);
+    return 2;
+  }
+  const Task task = read_task(argv[1], argv[2]);
+  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins here
+  const long before = memory("VmRSS");
+  const double wall = wall_seconds(), t0 = cpu_seconds();
+  auto solids = import(task);
+  const double t1 = cpu_seconds();
+  auto result = combine(task, solids);
+  const double t2 = cpu_seconds();
+  const Mesh mesh = to_mesh(result);
+  const double t3 = cpu_seconds(), wall_end = wall_seconds();
+  const auto output = static_cast<long>(8 * mesh.points.size() + 4 * mesh.triangles.size());
+  std::printf(
+      "{\"import\": %.6f, \"boolean\": %.6f, \"export\": %.6f, \"total\": %.6f, \"wall\": %.6f, \"extra_bytes\": %ld, "
+      "\"vertices\": %zu, \"triangles\": %zu, \"volume\": %.12g}\n",
+      t1 - t0, t2 - t1, t3 - t2, t3 - t0, wall_end - wall, memory("VmHWM") - before - output, mesh.points.size() / 3,
+      mesh.triangles.size() / 3, volume(mesh));
+  return 0;
+}
+
+}  // namespace quoin::bench
