@@ -7,7 +7,7 @@
 #include "api/flatten.h"
 #include "api/half_spaces.h"
 #include "api/run.h"
-#include "booleans/boolean.h"
+#include "booleans/parts.h"
 #include "booleans/query.h"
 #include "exact/predicates.h"
 
@@ -141,7 +141,7 @@ Result<Solid> evaluate_here(const Expression& expression, const Options& options
     const auto clipped = clip(f.expression, planes.value(), operands, storage, options);
     if (!clipped) return clipped.error();
   }
-  auto result = booleans::evaluate(operands, f.expression, run_of(options));
+  auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options));
   if (!result) return result.error();
   return Access::solid(grid, std::move(result).value());
 }
@@ -159,7 +159,7 @@ Result<Solid> evaluate_flat(Rule rule, const std::vector<const Solid*>& solids, 
   std::vector<const Body*> operands;
   for (const Solid* solid : solids) operands.push_back(&Access::body(*solid));
   const auto expression = booleans::Expression::flat(rule, static_cast<std::uint32_t>(solids.size()), negated_from);
-  auto result = booleans::evaluate(operands, expression, run_of(options));
+  auto result = booleans::evaluate_in_parts(operands, expression, run_of(options));
   if (!result) return result.error();
   return Access::solid(solids[0]->grid(), std::move(result).value());
 }

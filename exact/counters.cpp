@@ -17,19 +17,15 @@ Registry& registry() {
   return instance;
 }
 
-Counters* registered() {
+}  // namespace
+
+Counters* detail::registered() {
   Registry& r = registry();
   const std::lock_guard lock(r.mutex);
   r.all.push_back(std::make_unique<Counters>());
   return r.all.back().get();
 }
 
-}  // namespace
-
-Counters& counters() {
-  thread_local Counters* const mine = registered();
-  return *mine;
-}
 
 Counters total_counters() {
   Registry& r = registry();

@@ -12,7 +12,15 @@ struct Counters {
 };
 
 /// This thread's counters.
-Counters& counters();
+namespace detail {
+Counters* registered();
+inline constinit thread_local Counters* mine = nullptr;
+}  // namespace detail
+inline Counters& counters() {
+  if (detail::mine == nullptr) [[unlikely]]
+    detail::mine = detail::registered();
+  return *detail::mine;
+}
 /// The sum over all threads that ever counted; exact while no other thread is counting.
 Counters total_counters();
 

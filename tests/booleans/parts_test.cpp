@@ -1,0 +1,59 @@
+#include "booleans/parts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/booleans/support.h"
+
+namespace quoin::booleans::testing {
+namespace {
+
+Rule random_rule(Random& random) { return std::array{Rule::any, Rule::all, Rule::odd}[random.below(3)]; }
+
+/// Leaves under a root and two inner nodes, all rules and negations at random; some operands come twice.
+Expression random_expression(Random& random, std::uint32_t operands) {
+  Expression e;
+  e.add({random_rule(random), random.one_in(2), 0, none});
+  for (int i = 0; i < 2; ++i) e.add({random_rule(random), random.one_in(2), 0, 0});
+  for (std::uint32_t i = 0; i < operands; ++i)
+    for (int times = random.one_in(8) ? 2 : 1; times > 0; --times)
+      e.add({Rule::operand, random.one_in(3), i, random.one_in(3) ? static_cast<std::uint32_t>(random.below(3)) : 0});
+  return e;
+}
+
+class PartsOfFamily : public ::testing::TestWithParam<Family> {};
+
+TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
+  const std::uint64_t count = case_count(GetParam() == Family::spheres ? 4 : 20);
+  std::size_t combined = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    SCOPED_TRACE(case_name(i));
+    Random random(700 + static_cast<std::uint64_t>(GetParam()), i);
+    Solids solids(random, GetParam());
+    std::vector<Body> operands;
+    for (std::uint64_t n = 9 + random.below(20); n > 0; --n) operands.push_back(solids.next());
+    std::vector<const Body*> pointers;
+    for (const Body& b : operands) pointers.push_back(&b);
+    const Expression e = random_expression(random, static_cast<std::uint32_t>(operands.size()));
+    booleans::Run run;
+    run.stage = [&](const char* name) { combined += std::string(name) == "combine neighbours"; };
+    const Body whole = sound(evaluate(pointers, e)), parts = sound(evaluate_in_parts(pointers, e, run));
+    ASSERT_TRUE(same(whole, parts));
+  }
+  EXPECT_GT(combined, count / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Booleans, PartsOfFamily, ::testing::ValuesIn(families),
+                         [](const auto& info) { return name_of(info.param); });
+
+TEST(Parts, OperandsThatStandApartAreOneArrangement) {
+  std::vector<Body> boxes;
+  for (std::int64_t i = 0; i < 100; ++i) boxes.push_back(box({3 * i, 0, 0}, {3 * i + 2, 2, 2}));
+  std::vector<const Body*> pointers;
+  for (const Body& b : boxes) pointers.push_back(&b);
+  booleans::Run run;
+  run.stage = [](const char* name) { EXPECT_STRNE(name, "combine neighbours"); };
+  EXPECT_EQ(sound(evaluate_in_parts(pointers, Expression::flat(Rule::any, 100), run)).face_count(), 1200u);
+}
+
+}  // namespace
+}  // namespace quoin::booleans::testing
