@@ -15,8 +15,8 @@ class Adjacency {
  public:
   /// Of all vertices.
   explicit Adjacency(const Body& body);
-  /// Of the marked vertices only, and of their edges.
-  Adjacency(const Body& body, std::vector<std::uint8_t> marked);
+  /// Of the marked vertices only, and of their edges. `where` holds all faces that have one.
+  Adjacency(const Body& body, std::vector<std::uint8_t> marked, std::span<const Chunk> where);
 
   bool is_complete() const { return marked_.empty(); }
   bool knows(std::uint32_t v) const { return is_complete() || marked_[v]; }
@@ -51,6 +51,8 @@ class Adjacency {
   }
 
  private:
+  void index(std::span<const Chunk> where);
+
   struct PolygonEdge {
     std::uint32_t from, to, face;
     bool forward;

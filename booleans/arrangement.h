@@ -52,6 +52,9 @@ struct Arrangement {
   /// Untouched faces: global face id -> facet_base.back() + patch, none for touched faces.
   std::vector<std::uint32_t> patch_of;
   std::vector<std::uint32_t> patch_operand;
+  /// Per operand: the node of the untouched faces of far chunks, and of those that hang together with them; none
+  /// without any. In front of it (of an operand that is full at infinity: behind it) all is as at infinity.
+  std::vector<std::uint32_t> far_patch;
   std::vector<Use> uses;  // sorted by (low, high)
 
   explicit Arrangement(std::vector<const Body*> bodies) : operands(std::move(bodies)) {}

@@ -17,14 +17,21 @@ class Assembler {
   Body run() {
     body_.full_at_infinity = s_.full_at_infinity;
     place_of_.resize(a_.operands.bodies.size());
-    for (const Body* body : a_.operands.bodies) name_of_.emplace_back(body->vertex_count(), none);
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+      name_of_.emplace_back(a_.operands.bodies[o]->vertex_count(), none);
+      for (const std::uint32_t v : a_.touched.table_vertices[o]) name_of_[o][v] = by_table;
+    }
     name_of_table_.assign(a_.vertices.size(), none);
     table_place_.assign(a_.vertices.size(), none);
+    reserve();
     keep_raw();
     keep_polygons();
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
     drop_vertices();
+    const auto raw = static_cast<std::uint32_t>(body_.triangles.size());
+    const auto copied = static_cast<std::uint32_t>(body_.planes.size());
     emit();
+    list_chunks(raw, copied);
     return std::move(body_);
   }
 
@@ -32,6 +39,7 @@ class Assembler {
   // A vertex of no touched face stays or goes with all its faces: faces of such vertices are copied, and vertices get
   // their names at once: a grid point its id, a derived one its index with local_bit. While other faces are collected a
   // corner is an index into places_.
+  static constexpr std::uint32_t by_table = none - 1;  // the name of a table vertex is in name_of_table_
   struct Place {
     std::uint32_t operand;  // none: a table vertex
     std::uint32_t vertex;
@@ -50,11 +58,12 @@ class Assembler {
     if (p == none) p = new_place(none, v, name_of_table_[v]);
     return p;
   }
-  bool in_table(std::uint32_t operand, std::uint32_t v) const {
-    const auto& table = a_.touched.vertex_of[operand];
-    return !table.empty() && table[v] != none;
-  }
+  bool in_table(std::uint32_t operand, std::uint32_t v) const { return name_of_[operand][v] == by_table; }
   std::uint32_t named(std::uint32_t operand, std::uint32_t v) {
+    const std::uint32_t name = name_of_[operand][v];
+    return name < by_table ? name : new_name(operand, v);
+  }
+  std::uint32_t new_name(std::uint32_t operand, std::uint32_t v) {
     std::uint32_t& name =
         in_table(operand, v) ? name_of_table_[a_.touched.vertex_of[operand][v]] : name_of_[operand][v];
     if (name != none) return name;
@@ -76,22 +85,52 @@ class Assembler {
     return own[v];
   }
 
+  /// Room for what may stay of the operands; what is not written costs no memory.
+  void reserve() {
+    std::size_t points = 0, corners = 0, loops = 0, planes = 0, faces = 0;
+    for (const std::uint32_t patch : a_.patch_of) faces += patch != none && s_.kept[patch] != 0;
+    for (const Body* body : a_.operands.bodies) {
+      points += body->points.size();
+      corners += body->corners.size();
+      loops += body->loop_corners.size();
+      planes += body->planes.size();
+    }
+    body_.triangles.reserve(faces);
+    body_.grid_points.reserve(faces / 2 + 16);
+    body_.points.reserve(points);
+    body_.corners.reserve(corners);
+    body_.loop_corners.reserve(loops);
+    body_.polygon_loops.reserve(planes + 1);
+    body_.planes.reserve(planes);
+  }
+
   /// The untouched raw triangles that stay.
   void keep_raw() {
-    std::size_t count = 0;
-    for (const std::uint32_t patch : a_.patch_of) count += patch != none && s_.kept[patch] != 0;  // polygons among them
-    body_.triangles.reserve(count);
-    body_.grid_points.reserve(count / 2 + 16);
-    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
-      const Body& body = *a_.operands.bodies[o];
-      const std::uint32_t* const patch = a_.patch_of.data() + a_.operands.base[o];
-      for (std::uint32_t f = 0; f < body.triangles.size(); ++f) {
-        if (patch[f] == none || s_.kept[patch[f]] == 0) continue;
-        auto t = body.triangles[f];
-        if (s_.kept[patch[f]] < 0) std::swap(t[1], t[2]);
-        for (std::uint32_t& v : t) v = named(o, v);
+    for (const OperandChunk& c : a_.operands.chunks) {
+      const Body& body = *a_.operands.bodies[c.operand];
+      const std::uint32_t base = a_.operands.base[c.operand];
+      if (c.begin - base >= body.triangles.size()) continue;
+      const auto first = static_cast<std::uint32_t>(body_.triangles.size());
+      for (std::uint32_t f = c.begin; f < c.end; ++f) {
+        const std::uint32_t patch = a_.patch_of[f];
+        if (patch == none || s_.kept[patch] == 0) continue;
+        auto t = body.triangles[f - base];
+        if (s_.kept[patch] < 0) std::swap(t[1], t[2]);
+        for (std::uint32_t& v : t) v = named(c.operand, v);
         body_.triangles.push_back(t);
       }
+      keep_chunk(raw_chunks_, first, static_cast<std::uint32_t>(body_.triangles.size()), c.box);
+    }
+  }
+
+  /// The faces begin .. end - 1, those that stay of one chunk; short chunks that follow each other become one.
+  static void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box) {
+    if (begin == end) return;
+    if (!chunks.empty() && end - chunks.back().begin <= Chunk::most && chunks.back().box.meets(box)) {
+      chunks.back().end = end;
+      chunks.back().box.add(box);
+    } else {
+      chunks.push_back({begin, end, box});
     }
   }
 
@@ -171,28 +210,55 @@ class Assembler {
   /// Untouched polygons: those without a vertex of the table are copied, and named before the others.
   void keep_polygons() {
     std::vector<std::array<std::uint32_t, 2>> near;  // (operand, polygon)
-    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+    for (const OperandChunk& c : a_.operands.chunks) {
+      const std::uint32_t o = c.operand, base = a_.operands.base[o];
       const Body& body = *a_.operands.bodies[o];
       const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
-      for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
-        const std::uint32_t patch = a_.patch_of[a_.operands.base[o] + triangles + p];
-        if (patch == none || s_.kept[patch] == 0) continue;
-        bool far = true;
-        body.for_corners(triangles + p, [&](std::uint32_t v) { far = far && !in_table(o, v); });
-        if (!far) {
-          near.push_back({o, p});
-          continue;
+      if (c.begin - base < triangles) continue;
+      const auto first = static_cast<std::uint32_t>(body_.planes.size());
+      if (!copied_whole(c))
+        for (std::uint32_t f = c.begin; f < c.end; ++f) {
+          const std::uint32_t patch = a_.patch_of[f], p = f - base - triangles;
+          if (patch == none || s_.kept[patch] == 0) continue;
+          bool far = true;
+          body.for_corners(f - base, [&](std::uint32_t v) { far = far && !in_table(o, v); });
+          if (!far) {
+            near.push_back({o, p});
+            continue;
+          }
+          for_kept_loops(
+              o, p, [&](std::uint32_t v) { return named(o, v); }, [&] { append_loop(loop_); });
+          close_polygon(kept_plane(o, p));
         }
-        for_kept_loops(
-            o, p, [&](std::uint32_t v) { return named(o, v); }, [&] { append_loop(loop_); });
-        close_polygon(kept_plane(o, p));
-      }
+      keep_chunk(polygon_chunks_, first, static_cast<std::uint32_t>(body_.planes.size()), c.box);
     }
     for (const auto& [o, p] : near) {
       Region& region = regions_.emplace_back(Region{kept_plane(o, p), {}, {}});
       for_kept_loops(
           o, p, [&, o = o](std::uint32_t v) { return place(o, v); }, [&] { add_loop(region); });
     }
+  }
+  /// Copies the polygons of a chunk of which all stay as they are, far from the table; false when it is not such a one.
+  bool copied_whole(const OperandChunk& c) {
+    for (std::uint32_t f = c.begin; f < c.end; ++f)
+      if (a_.patch_of[f] == none || s_.kept[a_.patch_of[f]] <= 0) return false;
+    const Body& body = *a_.operands.bodies[c.operand];
+    const std::size_t p = c.begin - a_.operands.base[c.operand] - body.triangles.size(), q = p + (c.end - c.begin);
+    const std::uint32_t first_loop = body.polygon_loops[p], last_loop = body.polygon_loops[q];
+    const auto corners =
+        std::span(body.corners)
+            .subspan(body.loop_corners[first_loop], body.loop_corners[last_loop] - body.loop_corners[first_loop]);
+    for (const std::uint32_t v : corners)
+      if (in_table(c.operand, v)) return false;
+    const auto corner_shift = static_cast<std::uint32_t>(body_.corners.size()) - body.loop_corners[first_loop];
+    const auto loop_shift = static_cast<std::uint32_t>(body_.loop_corners.size() - 1) - first_loop;
+    for (const std::uint32_t v : corners) body_.corners.push_back(named(c.operand, v));
+    for (std::uint32_t j = first_loop; j < last_loop; ++j)
+      body_.loop_corners.push_back(body.loop_corners[j + 1] + corner_shift);
+    for (std::size_t i = p; i < q; ++i) body_.polygon_loops.push_back(body.polygon_loops[i + 1] + loop_shift);
+    body_.planes.insert(body_.planes.end(), body.planes.begin() + static_cast<std::ptrdiff_t>(p),
+                        body.planes.begin() + static_cast<std::ptrdiff_t>(q));
+    return true;
   }
   bool is_turned(std::uint32_t o, std::uint32_t p) const {
     return s_.kept[a_.patch_of[a_.operands.base[o] + a_.operands.bodies[o]->triangles.size() + p]] < 0;
@@ -307,6 +373,14 @@ class Assembler {
       close_polygon(r.plane);
     }
   }
+  /// Copied faces keep their chunks' boxes. `raw` triangles and `copied` polygons were copied.
+  void list_chunks(std::uint32_t raw, std::uint32_t copied) {
+    const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
+    body_.chunks = std::move(raw_chunks_);
+    add_chunks(body_, raw, triangles, body_.chunks);
+    for (const Chunk& c : polygon_chunks_) body_.chunks.push_back({triangles + c.begin, triangles + c.end, c.box});
+    add_chunks(body_, triangles + copied, static_cast<std::uint32_t>(body_.face_count()), body_.chunks);
+  }
   /// Derived points follow the grid points. Precondition: all grid points are there.
   std::uint32_t final_id(std::uint32_t name) const {
     return name & local_bit ? static_cast<std::uint32_t>(body_.grid_points.size()) + (name & ~local_bit) : name;
@@ -320,6 +394,7 @@ class Assembler {
   std::vector<std::vector<std::uint32_t>> place_of_;  // per operand, for vertices outside the table
   std::vector<std::uint32_t> name_of_table_;
   std::vector<std::vector<std::uint32_t>> name_of_;  // per operand
+  std::vector<Chunk> raw_chunks_, polygon_chunks_;   // of copied faces; polygons count from 0
   std::vector<Region> regions_;
   std::vector<std::uint32_t> loop_;
   std::vector<std::uint8_t> touching_;

@@ -14,6 +14,50 @@ exact::Plane Body::plane(std::uint32_t face) const {
   return *p;
 }
 
+Box face_box(const Body& body, std::uint32_t face) {
+  Box box;
+  if (face >= body.triangles.size()) {
+    body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
+    return box;
+  }
+  const auto& t = body.triangles[face];
+  const exact::GridPoint &a = body.grid_points[t[0]], &b = body.grid_points[t[1]], &c = body.grid_points[t[2]];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int32_t low = a.c[k] < b.c[k] ? a.c[k] : b.c[k], high = a.c[k] < b.c[k] ? b.c[k] : a.c[k];
+    box.low[k] = c.c[k] < low ? c.c[k] : low;
+    box.high[k] = c.c[k] > high ? c.c[k] : high;
+  }
+  return box;
+}
+
+namespace {
+
+/// Puts faces into chunks one after the other.
+class Chunker {
+ public:
+  explicit Chunker(std::vector<Chunk>& chunks) : chunks_(chunks), first_(chunks.size()) {}
+  void add(std::uint32_t face, const Box& box) {
+    if (chunks_.size() == first_ || face - chunks_.back().begin == Chunk::most || !box.meets(chunks_.back().box))
+      chunks_.push_back({face, face, {}});
+    chunks_.back().end = face + 1;
+    chunks_.back().box.add(box);
+  }
+
+ private:
+  std::vector<Chunk>& chunks_;
+  const std::size_t first_;
+};
+
+}  // namespace
+
+void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks) {
+  const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
+  for (const auto& [first, last] : {std::array{begin, std::min(end, triangles)}, {std::max(begin, triangles), end}}) {
+    Chunker chunker(chunks);
+    for (std::uint32_t f = first; f < last; ++f) chunker.add(f, face_box(body, f));
+  }
+}
+
 Body complement(const Body& body) {
   Body r = body;
   for (auto& t : r.triangles) std::swap(t[1], t[2]);

@@ -7,12 +7,20 @@
 #include <span>
 #include <vector>
 
-#include "exact/geometry.h"
+#include "booleans/box.h"
 
 namespace quoin::booleans {
 
 /// "No element" for every 32-bit index.
 inline constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+/// Faces of one tier that follow each other, each near those before it, in one box: what is far away is passed over by
+/// the chunk. Meshes come in some order that hangs together; where it jumps, a chunk ends.
+struct Chunk {
+  static constexpr std::uint32_t most = 32;
+  std::uint32_t begin, end;  // face ids
+  Box box;                   // holds them all, perhaps with room to spare
+};
 
 /// The boundary of a regular point set.
 ///
@@ -37,6 +45,8 @@ struct Body {
   std::vector<std::uint32_t> corners;             // vertex ids
   /// The value at infinity: true for complements of bounded solids.
   bool full_at_infinity = false;
+  /// All faces in order, or nothing: kept so that the next operation need not look at faces far from it.
+  std::vector<Chunk> chunks;
 
   std::size_t vertex_count() const { return grid_points.size() + points.size(); }
   std::size_t polygon_count() const { return planes.size(); }
@@ -92,6 +102,11 @@ struct Body {
     return exact::spanned_plane(grid_points[t[0]], grid_points[t[1]], grid_points[t[2]]);
   }
 };
+
+Box face_box(const Body& body, std::uint32_t face);
+
+/// Appends the chunks of the faces begin .. end - 1.
+void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks);
 
 /// The complement: every face turned round, the value at infinity inverted.
 Body complement(const Body& body);

@@ -2,24 +2,45 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cmath>
+
 #include "booleans/triangle_pair.h"
 
 namespace quoin::booleans {
 namespace {
 
-/// Keeps the pairs that `wanted(pair)` accepts, in order, testing in parallel.
+/// Collects the pairs that `wanted(pair)` accepts, in order, testing many at a time in parallel.
 template <class Wanted>
-std::vector<FaceIdPair> filtered(const std::vector<FaceIdPair>& pairs, Wanted wanted) {
-  std::vector<std::uint8_t> keep(pairs.size());
-  constexpr std::size_t chunk = 1024;
-  tbb::parallel_for(std::size_t{0}, (pairs.size() + chunk - 1) / chunk, [&](std::size_t c) {
-    for (std::size_t i = c * chunk; i < std::min(pairs.size(), (c + 1) * chunk); ++i) keep[i] = wanted(pairs[i]);
-  });
-  std::vector<FaceIdPair> r;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (keep[i]) r.push_back(pairs[i]);
-  return r;
-}
+class Sieve {
+ public:
+  explicit Sieve(Wanted wanted) : wanted_(wanted) {}
+  void operator()(std::uint32_t f, std::uint32_t g) {
+    waiting_.push_back({std::min(f, g), std::max(f, g)});
+    if (waiting_.size() == most) test();
+  }
+  std::vector<FaceIdPair> take() {
+    test();
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t most = std::size_t{1} << 19, chunk = 1024;
+
+  void test() {
+    keep_.resize(waiting_.size());
+    tbb::parallel_for(std::size_t{0}, (waiting_.size() + chunk - 1) / chunk, [&](std::size_t c) {
+      for (std::size_t i = c * chunk; i < std::min(waiting_.size(), (c + 1) * chunk); ++i)
+        keep_[i] = wanted_(waiting_[i]);
+    });
+    for (std::size_t i = 0; i < waiting_.size(); ++i)
+      if (keep_[i]) found_.push_back(waiting_[i]);
+    waiting_.clear();
+  }
+
+  Wanted wanted_;
+  std::vector<FaceIdPair> waiting_, found_;
+  std::vector<std::uint8_t> keep_;
+};
 
 /// Does the box lie strictly on one side of the plane?
 bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
@@ -160,11 +181,14 @@ class CellFilter {
     }
     return n;
   }
+  /// How many cells the boxes take together, as some of them tell.
   std::size_t coverage(const std::vector<BoxTree::Item>& items) const {
+    const std::size_t stride = 1 + items.size() / 4096;
     std::size_t sum = 0;
-    for (const BoxTree::Item& i : items) {
-      std::size_t n = 1;
-      for (std::size_t k = 0; k < 3; ++k) n *= std::size_t{cell(k, i.box.high[k])} - cell(k, i.box.low[k]) + 1;
+    for (std::size_t i = 0; i < items.size(); i += stride) {
+      const Box& box = items[i].box;
+      std::size_t n = stride;
+      for (std::size_t k = 0; k < 3; ++k) n *= std::size_t{cell(k, box.high[k])} - cell(k, box.low[k]) + 1;
       sum += n;
     }
     return sum;
@@ -189,51 +213,121 @@ class CellFilter {
   std::vector<std::uint32_t> owner_;  // the group of the items in each cell, none or mixed
 };
 
-/// Drops what cannot meet anything of another group.
-class NearFilter {
- public:
-  explicit NearFilter(const Operands& operands) : bounds_(operands.bodies.size()) {
-    for (const Chunk& c : operands.chunks) bounds_[c.operand].add(c.box);
-  }
-  void add(std::vector<BoxTree::Item>& items, const BoxTree::Item& item) const {
-    bool near = bounds_.size() > few;
-    for (std::uint32_t o = 0; o < bounds_.size() && !near; ++o) near = o != item.group && item.box.meets(bounds_[o]);
-    if (near) items.push_back(item);
-  }
-  static void by_cells(std::vector<BoxTree::Item>& items, std::size_t work) {
-    CellFilter cells(items, work);
-    std::erase_if(items, [&](const BoxTree::Item& i) { return !cells.keeps(i.box); });
-  }
-
- private:
-  static constexpr std::size_t few = 8;  // for more operands the cells alone decide
-  std::vector<Box> bounds_;
-};
+/// Drops items that share no cell with an item of another group.
+void keep_near(std::vector<BoxTree::Item>& items, std::size_t work) {
+  CellFilter cells(items, work);
+  std::erase_if(items, [&](const BoxTree::Item& i) { return !cells.keeps(i.box); });
+}
 
 /// The faces that may meet a foreign one, with their boxes, in order; first whole chunks are dropped.
 std::vector<BoxTree::Item> near_faces(const Operands& operands) {
-  const NearFilter filter(operands);
   std::vector<BoxTree::Item> chunks, faces;
-  for (std::uint32_t c = 0; c < operands.chunks.size(); ++c)
-    filter.add(chunks, {operands.chunks[c].box, c, operands.chunks[c].operand});
-  NearFilter::by_cells(chunks, operands.face_count());
+  for (std::uint32_t i = 0; i < operands.chunks.size(); ++i)
+    if (const OperandChunk& c = operands.chunks[i]; !c.far) chunks.push_back({c.box, i, c.operand});
+  keep_near(chunks, operands.face_count());
   for (const BoxTree::Item& item : chunks) {
-    const Chunk& c = operands.chunks[item.id];
-    for (std::uint32_t f = c.begin; f < c.end; ++f)
-      filter.add(faces, {face_box(*operands.bodies[c.operand], f - operands.base[c.operand]), f, c.operand});
+    const OperandChunk& c = operands.chunks[item.id];
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      const Box box = face_box(*operands.bodies[c.operand], f - operands.base[c.operand]);
+      if (operands.may_be_near(c.operand, box)) faces.push_back({box, f, c.operand});
+    }
   }
-  NearFilter::by_cells(faces, 4 * faces.size());
+  keep_near(faces, 4 * faces.size());
   return faces;
 }
 
 }  // namespace
 
+namespace {
+
+/// How far a face reaches along a direction.
+struct Reach {
+  std::int64_t low = INT64_MAX, high = INT64_MIN;
+  void add(std::int64_t x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  bool apart(const Reach& r) const { return high < r.low || r.high < low; }
+};
+
+/// A slab around the eight faces of each block of a tree. Neighbours on a surface lie nearly in one plane, so the slab
+/// is thin, and a face strictly on one side of it meets none of the eight, however much the boxes overlap: those of
+/// long thin diagonal triangles do.
+class BlockSlabs {
+ public:
+  BlockSlabs(const Operands& operands, const std::vector<std::uint32_t>& order)
+      : slabs_((order.size() + BoxBlock::width - 1) / BoxBlock::width) {
+    faces_.reserve(order.size());
+    for (std::uint32_t id : order) {
+      const auto [o, f] = operands.local(id);
+      faces_.push_back({operands.bodies[o], f});
+    }
+    for (std::size_t b = 0; b < slabs_.size(); ++b) slabs_[b] = slab(b);
+  }
+  /// Is the i-th face of the order strictly on one side of the slab of block b?
+  bool apart(std::uint32_t i, std::uint32_t b) const {
+    return slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal));
+  }
+
+ private:
+  // Components below 2^30 and coordinates up to 2^29 + 1 make values below 2^61: all exact.
+  using Normal = std::array<std::int64_t, 3>;
+  struct Slab {
+    Normal normal;
+    Reach reach;
+  };
+  struct Face {
+    const Body* body;
+    std::uint32_t id;
+  };
+
+  static std::int64_t value(const Normal& n, const exact::GridPoint& p) {
+    return n[0] * p.c[0] + n[1] * p.c[1] + n[2] * p.c[2];
+  }
+  static Reach reach(const Face& f, const Normal& n) {
+    Reach r;
+    if (f.id < f.body->triangles.size()) {
+      for (const std::uint32_t v : f.body->triangles[f.id]) r.add(value(n, f.body->grid_points[v]));
+      return r;
+    }
+    const Box box = face_box(*f.body, f.id);
+    exact::GridPoint low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low.c[k] = n[k] < 0 ? box.high[k] : box.low[k];
+      high.c[k] = n[k] < 0 ? box.low[k] : box.high[k];
+    }
+    r.add(value(n, low));
+    r.add(value(n, high));
+    return r;
+  }
+  /// Any normal is right; the sum of the faces' normals makes the slab thin.
+  Slab slab(std::size_t block) const {
+    const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
+    std::array<double, 3> sum{};
+    for (std::size_t i = begin; i < end; ++i) {
+      const exact::Plane p = faces_[i].body->sign_plane(faces_[i].id);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += double(p.n[k]);
+    }
+    const double longest = std::max({std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])});
+    Slab s{};
+    for (std::size_t k = 0; k < 3; ++k)
+      s.normal[k] = longest > 0 ? static_cast<std::int64_t>(sum[k] * ((1 << 30) - 1) / longest) : k == 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Reach r = reach(faces_[i], s.normal);
+      s.reach.add(r.low);
+      s.reach.add(r.high);
+    }
+    return s;
+  }
+
+  std::vector<Face> faces_;  // in the tree's order
+  std::vector<Slab> slabs_;
+};
+
+}  // namespace
+
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   const std::vector<BoxTree::Item> items = near_faces(operands);
-  std::vector<FaceIdPair> pairs;
-  BoxTree(items).foreign_pairs([&](std::uint32_t f, std::uint32_t g) {
-    pairs.push_back({std::min(f, g), std::max(f, g)});
-  });
   const auto box_of = [&](std::uint32_t face) -> const Box& {  // items are in the order of their ids
     return std::lower_bound(items.begin(), items.end(), face,
                             [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })
@@ -244,25 +338,28 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
     return other.corner_count(g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(id))
                                                        : strictly_on_one_side(plane, other, g);
   };
-  return filtered(pairs, [&](const FaceIdPair& pair) {
+  Sieve sieve([&](const FaceIdPair& pair) {
     const auto [o, f] = operands.local(pair[0]);
     const auto [p, g] = operands.local(pair[1]);
     const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
     if (f < a.triangles.size() && g < b.triangles.size()) return meet(triangle(a, f), triangle(b, g));
     return !apart(a, f, b, g, pair[1]) && !apart(b, g, a, f, pair[0]);
   });
+  const bool few = operands.bodies.size() <= Operands::few;
+  const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
+  const BlockSlabs slabs(operands, tree.ids());
+  tree.foreign_pairs_but([&](std::uint32_t i, std::uint32_t b) { return slabs.apart(i, b) ? ~0u : 0u; }, sieve);
+  return sieve.take();
 }
 
 std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
   std::vector<BoxTree::Item> items(mesh.triangles.size());
   for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {face_box(mesh, t), t, t};
-  std::vector<FaceIdPair> pairs;
+  Sieve sieve([&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
   const BoxTree tree(items);
   const NeighbourMask neighbours(mesh, star_of, tree.ids());
-  tree.pairs_but(neighbours, [&](std::uint32_t f, std::uint32_t g) {
-    pairs.push_back({std::min(f, g), std::max(f, g)});
-  });
-  return filtered(pairs, [&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
+  tree.pairs_but(neighbours, sieve);
+  return sieve.take();
 }
 
 namespace {
@@ -339,12 +436,11 @@ std::vector<FaceIdPair> doubtful_pairs(const Body& body) {
   const Prover prover(body);
   std::vector<BoxTree::Item> items(body.face_count());
   for (std::uint32_t f = 0; f < items.size(); ++f) items[f] = {face_box(body, f), f, f};
-  std::vector<FaceIdPair> pairs;
+  Sieve sieve([&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
   for (std::uint32_t f = 0; f < items.size(); ++f)
-    if (prover.many_corners(f)) pairs.push_back({f, f});
-  BoxTree(items).pairs([&](std::uint32_t f, std::uint32_t g) { pairs.push_back({std::min(f, g), std::max(f, g)}); });
-  return filtered(pairs,
-                  [&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
+    if (prover.many_corners(f)) sieve(f, f);
+  BoxTree(items).pairs(sieve);
+  return sieve.take();
 }
 
 }  // namespace quoin::booleans

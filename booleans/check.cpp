@@ -86,6 +86,18 @@ void check(const Arrangement& a) {
 void check(const Body& body) {
   const auto message = fault(body);
   require(!message, message ? message->c_str() : "");
+  std::uint32_t next = 0;
+  for (const Chunk& c : body.chunks) {
+    require(c.begin == next && c.begin < c.end, "chunks follow each other");
+    require((c.begin < body.triangles.size()) == (c.end <= body.triangles.size()), "a chunk has faces of one tier");
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      Box sum = c.box;
+      sum.add(face_box(body, f));
+      require(sum.low == c.box.low && sum.high == c.box.high, "a chunk's box holds its faces");
+    }
+    next = c.end;
+  }
+  require(body.chunks.empty() || next == body.face_count(), "chunks hold all faces");
 }
 
 }  // namespace quoin::booleans

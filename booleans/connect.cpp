@@ -18,26 +18,45 @@ class Connector {
       a_.element_base.push_back(a_.element_base.back() + static_cast<std::uint32_t>(s.elements.size()));
     }
     a_.patch_of.assign(a_.operands.face_count(), none);
+    a_.far_patch.assign(a_.operands.bodies.size(), none);
   }
 
+  /// Far faces are one patch, wherever they are: their labels are known. Near ones join it over vertices of the far
+  /// faces around them.
   void glue_over_vertices(std::uint32_t operand) {
     const Body& body = *a_.operands.bodies[operand];
+    const auto chunks = a_.operands.chunks_of(operand);
+    Box around;
+    for (const OperandChunk& c : chunks)
+      if (!c.far) around.add(c.box);
     Partition parts(body.vertex_count());
-    for_untouched(operand, [&](std::uint32_t f) {
-      std::uint32_t first = none;
-      body.for_corners(f, [&](std::uint32_t v) {
-        if (first == none)
-          first = v;
-        else
-          parts.unite(first, v);
-      });
-    });
+    std::uint32_t anchor = none;  // a vertex of the far faces around
+    for (const OperandChunk& c : chunks)
+      if (!c.far || c.box.meets(around))
+        for_untouched(c, [&](std::uint32_t f) {
+          std::uint32_t first = none;
+          body.for_corners(f, [&](std::uint32_t v) {
+            if (first == none)
+              first = v;
+            else
+              parts.unite(first, v);
+          });
+          if (!c.far) return;
+          if (anchor == none) anchor = first;
+          parts.unite(anchor, first);
+        });
     std::vector<std::uint32_t> patch(body.vertex_count(), none);
-    for_untouched(operand, [&](std::uint32_t f) {
-      std::uint32_t first = none;
-      body.for_corners(f, [&](std::uint32_t v) { first = first == none ? v : first; });
-      assign(operand, f, patch[parts.find(first)]);
-    });
+    std::uint32_t& far = a_.far_patch[operand];
+    for (const OperandChunk& c : chunks)
+      if (c.far) for_untouched(c, [&](std::uint32_t f) { assign(operand, f, far); });
+    if (anchor != none) patch[parts.find(anchor)] = far;
+    for (const OperandChunk& c : chunks)
+      if (!c.far)
+        for_untouched(c, [&](std::uint32_t f) {
+          std::uint32_t first = none;
+          body.for_corners(f, [&](std::uint32_t v) { first = first == none ? v : first; });
+          assign(operand, f, patch[parts.find(first)]);
+        });
   }
 
   void glue_over_edges(std::uint32_t operand) {
@@ -107,11 +126,15 @@ class Connector {
   bool untouched(std::uint32_t operand, std::uint32_t f) const {
     return a_.touched.face_of[a_.operands.base[operand] + f] == none;
   }
+  /// visit(face), an own id of its operand.
+  template <class Visit>
+  void for_untouched(const OperandChunk& c, Visit&& visit) {
+    for (std::uint32_t f = c.begin; f < c.end; ++f)
+      if (a_.touched.face_of[f] == none) visit(f - a_.operands.base[c.operand]);
+  }
   template <class Visit>
   void for_untouched(std::uint32_t operand, Visit&& visit) {
-    const auto n = static_cast<std::uint32_t>(a_.operands.bodies[operand]->face_count());
-    for (std::uint32_t f = 0; f < n; ++f)
-      if (untouched(operand, f)) visit(f);
+    for (const OperandChunk& c : a_.operands.chunks_of(operand)) for_untouched(c, visit);
   }
   void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch) {
     if (patch == none) {
@@ -121,12 +144,7 @@ class Connector {
     a_.patch_of[a_.operands.base[operand] + f] = patch;
   }
   std::uint32_t table_id(std::uint32_t operand, std::uint32_t v) {
-    const Body& body = *a_.operands.bodies[operand];
-    std::uint32_t& id = a_.touched.vertex_of[operand][v];
-    if (id == none)
-      id = body.is_grid(v) ? a_.vertices.id(body.grid_points[v])
-                           : a_.vertices.id(body.points[v - body.grid_points.size()]);
-    return id;
+    return a_.touched.table_id(*a_.operands.bodies[operand], operand, v, a_.vertices);
   }
   void add_use(std::uint32_t operand, std::uint32_t f, std::uint32_t from, std::uint32_t to) {
     const exact::Plane plane = a_.operands.bodies[operand]->plane(f);

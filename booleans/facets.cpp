@@ -6,7 +6,7 @@ namespace quoin::booleans {
 
 Targets::Targets(const Arrangement& a, const Box& region)
     : a_(a), sheet_edges_(a.sheets.size()), adjacency_(a.operands.bodies.size()) {
-  for (const Chunk& c : a.operands.chunks) {
+  for (const OperandChunk& c : a.operands.chunks) {
     if (!c.box.meets(region)) continue;
     for (std::uint32_t f = c.begin; f < c.end; ++f) {
       if (a.patch_of[f] == none) continue;
@@ -96,6 +96,7 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 
 void Targets::prepare(std::span<const std::uint32_t> targets) {
   std::vector<std::vector<std::uint8_t>> marked(a_.operands.bodies.size());
+  std::vector<Box> around(marked.size());
   for (const std::uint32_t t : targets) {
     if (targets_[t].sheet != none) continue;
     const auto [operand, face] = a_.operands.local(targets_[t].index);
@@ -104,9 +105,12 @@ void Targets::prepare(std::span<const std::uint32_t> targets) {
     auto& marks = marked[operand];
     marks.resize(body.vertex_count());
     body.for_corners(face, [&](std::uint32_t v) { marks[v] = 1; });
+    around[operand].add(boxes_[t]);
   }
   for (std::uint32_t o = 0; o < marked.size(); ++o)
-    if (!marked[o].empty()) adjacency_[o] = std::make_unique<Adjacency>(*a_.operands.bodies[o], std::move(marked[o]));
+    if (!marked[o].empty())
+      adjacency_[o] = std::make_unique<Adjacency>(*a_.operands.bodies[o], std::move(marked[o]),
+                                                  a_.operands.chunks_meeting(o, around[o]));
 }
 
 template <class Visit>

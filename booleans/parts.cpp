@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "booleans/box.h"
+#include "booleans/box_tree.h"
 #include "booleans/query.h"
 
 namespace quoin::booleans {
@@ -52,9 +52,11 @@ bool is_crowded(const std::vector<Member>& members) {
   constexpr std::size_t neighbours = 2;
   std::vector<BoxTree::Item> items;
   for (std::uint32_t i = 0; i < members.size(); ++i) items.push_back({members[i].box, i, i});
-  std::size_t pairs = 0;
-  BoxTree(items).pairs([&](std::uint32_t, std::uint32_t) { ++pairs; });
-  return pairs > neighbours * members.size();
+  const BoxTree tree(items);
+  std::size_t met = 0;  // every pair twice, and each member itself
+  for (std::size_t i = 0; i < members.size() && met <= (2 * neighbours + 1) * members.size(); ++i)
+    tree.meeting(members[i].box, [&](std::uint32_t) { ++met; });
+  return met > (2 * neighbours + 1) * members.size();
 }
 
 /// What the negation of a leaf does to a group of such leaves: any(not a, not b) = not all(a, b), and odd(not a, not b)
@@ -74,6 +76,7 @@ class Reduction {
       : operands_(operands.begin(), operands.end()), expression_(expression), run_(run) {}
 
   Result<Body> run() {
+    drop_repeated_leaves();
     for (double done = 0; find_groups(); done += (1 - done) / 2) {
       if (run_.stage) run_.stage("combine neighbours");
       if (run_.progress) run_.progress(done);
@@ -89,6 +92,24 @@ class Reduction {
     Body result;
     std::optional<Error> error;
   };
+
+  /// One leaf says what equal leaves of a node say; of a symmetric difference every two of them cancel.
+  void drop_repeated_leaves() {
+    if (expression_.nodes.size() <= group_size) return;
+    std::vector<std::uint8_t> gone(expression_.nodes.size());
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;  // (node, operand, negated) -> leaf
+    for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
+      const auto& node = expression_.nodes[i];
+      if (node.rule != Rule::operand || node.parent == none) continue;
+      const auto [at, fresh] = known.try_emplace({node.parent, node.operand, node.negated}, i);
+      if (fresh) continue;
+      gone[i] = 1;
+      if (expression_.nodes[node.parent].rule != Rule::odd) continue;
+      gone[at->second] = 1;
+      known.erase(at);
+    }
+    remove(gone);
+  }
 
   /// The groups of the next round.
   bool find_groups() {
@@ -131,7 +152,7 @@ class Reduction {
     return {};
   }
 
-  /// Puts one leaf in the place of each group's leaves, and lets go of what no leaf names any more.
+  /// Puts one leaf in the place of each group's leaves.
   void replace() {
     std::vector<std::uint8_t> gone(expression_.nodes.size());
     for (Group& group : groups_) {
@@ -142,6 +163,11 @@ class Reduction {
       first.operand = static_cast<std::uint32_t>(operands_.size());
       operands_.push_back(results_.emplace_back(std::make_unique<Body>(std::move(group.result))).get());
     }
+    remove(gone);
+  }
+
+  /// Takes leaves away, and lets go of what no leaf names any more.
+  void remove(const std::vector<std::uint8_t>& gone) {
     Expression smaller;
     std::vector<const Body*> used;
     std::vector<std::uint32_t> node_name(expression_.nodes.size(), none), operand_name(operands_.size(), none);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "booleans/box.h"
+#include "booleans/body.h"
 #include "exact/rational.h"
 
 namespace quoin::booleans {

@@ -26,13 +26,22 @@ struct Corner {
 
 class Seeder {
  public:
-  Seeder(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count)
-      : a_(a), component_of_(component_of), extreme_(count), corners_(count), direction_(count), seeds_(count) {}
+  Seeder(const Arrangement& a, const std::vector<std::uint32_t>& component_of, const std::vector<std::uint8_t>& placed)
+      : a_(a),
+        component_of_(component_of),
+        placed_(placed),
+        extreme_(placed.size()),
+        corners_(placed.size()),
+        direction_(placed.size()) {
+    for (std::uint32_t c = 0; c < placed.size(); ++c)
+      if (!placed[c]) open_.push_back(c);
+  }
 
   std::vector<Seed> run() {
+    if (open_.empty()) return {};
     find_extremes();
     collect_corners();
-    for (std::uint32_t c = 0; c < seeds_.size(); ++c) seeds_[c].outer = outer_side(c);
+    for (const std::uint32_t c : open_) seeds_.push_back({outer_side(c), none});
     shoot();
     return std::move(seeds_);
   }
@@ -70,6 +79,7 @@ class Seeder {
 
   void offer(std::uint32_t component, Name n, const std::array<double, 3>& at) {
     Extreme& best = extreme_[component];
+    if (placed_[component]) return;
     if (at[0] > best.at[0] || best.name == n) return;  // most corners end here; rounding is monotone
     int order = best.name == none_yet ? -1 : 0;
     for (int k = 0; k < 3 && order == 0; ++k) order = compare(k, n, best.name);
@@ -80,7 +90,7 @@ class Seeder {
   void find_extremes() {
     for (const Use& u : a_.uses)
       for (const std::uint32_t v : {u.low, u.high}) offer(component_of_[u.facet], v, a_.vertices.approximation(v));
-    for (const Chunk& c : a_.operands.chunks)
+    for (const OperandChunk& c : a_.operands.chunks)
       if (c.box.low[0] <= farthest())
         for_untouched(c, [&](const Body& body, std::uint32_t face, std::uint32_t node) {
           body.for_corners(face, [&](std::uint32_t v) {
@@ -92,15 +102,15 @@ class Seeder {
 
   /// The largest x of all extremes found so far. With many components that is asked for once in a while only.
   double farthest() {
-    if (extreme_.size() > few && asked_++ % extreme_.size() != 0) return farthest_;
+    if (open_.size() > few && asked_++ % open_.size() != 0) return farthest_;
     farthest_ = -HUGE_VAL;
-    for (const Extreme& e : extreme_) farthest_ = std::max(farthest_, e.at[0]);
+    for (const std::uint32_t c : open_) farthest_ = std::max(farthest_, extreme_[c].at[0]);
     return farthest_;
   }
 
   /// visit(body, face, node) for the untouched faces of a chunk; faces count from the operand's first.
   template <class Visit>
-  void for_untouched(const Chunk& c, Visit&& visit) const {
+  void for_untouched(const OperandChunk& c, Visit&& visit) const {
     for (std::uint32_t f = c.begin; f < c.end; ++f)
       if (a_.patch_of[f] != none)
         visit(*a_.operands.bodies[c.operand], f - a_.operands.base[c.operand], a_.patch_of[f]);
@@ -109,16 +119,15 @@ class Seeder {
   /// All facets of a component at its extreme vertex, edge by edge.
   void collect_corners() {
     std::unordered_multimap<Name, std::uint32_t> wanted;
-    for (std::uint32_t c = 0; c < extreme_.size(); ++c) wanted.emplace(extreme_[c].name, c);
+    for (const std::uint32_t c : open_) wanted.emplace(extreme_[c].name, c);
     std::vector<std::vector<std::uint8_t>> is_wanted(a_.operands.bodies.size());  // per operand and own vertex
     for (std::uint32_t o = 0; o < is_wanted.size(); ++o) {
       is_wanted[o].resize(a_.operands.bodies[o]->vertex_count());
-      const auto& table = a_.touched.vertex_of[o];
-      for (std::uint32_t v = 0; v < table.size(); ++v)
-        if (table[v] != none && wanted.contains(table[v])) is_wanted[o][v] = 1;
+      for (const std::uint32_t v : a_.touched.table_vertices[o])
+        if (wanted.contains(a_.touched.vertex_of[o][v])) is_wanted[o][v] = 1;
     }
-    for (const Extreme& e : extreme_)
-      if (e.name & outside_table) is_wanted[operand_of(e.name)][id_of(e.name)] = 1;
+    for (const std::uint32_t c : open_)
+      if (const Name n = extreme_[c].name; n & outside_table) is_wanted[operand_of(n)][id_of(n)] = 1;
     const auto offer_corner = [&](Name v, Corner corner) {
       const auto range = wanted.equal_range(v);
       for (auto i = range.first; i != range.second; ++i)
@@ -133,10 +142,10 @@ class Seeder {
       reversed.left = !u.left;
       offer_corner(u.high, reversed);
     }
-    std::vector<BoxTree::Item> points(extreme_.size());
-    for (std::uint32_t c = 0; c < points.size(); ++c) points[c].box.add(extreme_[c].at);
+    std::vector<BoxTree::Item> points(open_.size());
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].box.add(extreme_[open_[i]].at);
     const BoxTree tree(points);
-    for (const Chunk& c : a_.operands.chunks) {
+    for (const OperandChunk& c : a_.operands.chunks) {
       bool near = false;
       tree.meeting(c.box, [&](std::uint32_t) { near = true; });
       if (near)
@@ -223,14 +232,13 @@ class Seeder {
 
   /// Finds the nearest target in each ray's way.
   void shoot() {
-    for (Seed& s : seeds_) s.beyond = none;
-    if (seeds_.size() == 1) return;  // a ray meets other components only
+    if (placed_.size() == 1) return;  // a ray meets other components only
     Box rays;
-    for (const Extreme& e : extreme_) rays.add(e.at);
+    for (const std::uint32_t c : open_) rays.add(extreme_[c].at);
     rays.low[1] = INT32_MIN;
     Targets targets(a_, rays);
     std::optional<BoxTree> tree;
-    if (seeds_.size() > 4) {
+    if (open_.size() > 4) {
       std::vector<BoxTree::Item> items(targets.size());
       for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets.box(t), t, t};
       tree.emplace(items);
@@ -248,14 +256,15 @@ class Seeder {
     };
     // What the rays may meet; where many components stand above each other that is all.
     std::vector<std::uint32_t> wanted;
-    for (std::uint32_t c = 0; c < seeds_.size() && wanted.size() <= 2 * targets.size(); ++c)
-      for_targets(ray_of(c), [&](std::uint32_t t) { wanted.push_back(t); });
+    for (std::size_t i = 0; i < open_.size() && wanted.size() <= 2 * targets.size(); ++i)
+      for_targets(ray_of(open_[i]), [&](std::uint32_t t) { wanted.push_back(t); });
     if (wanted.size() > 2 * targets.size()) {
       wanted.resize(targets.size());
       std::iota(wanted.begin(), wanted.end(), 0u);
     }
     targets.prepare(wanted);
-    for (std::uint32_t c = 0; c < seeds_.size(); ++c) {
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const std::uint32_t c = open_[i];
       const RayStart start{point(extreme_[c].name), direction_[c]};
       Box ray = ray_of(c);
       std::uint32_t nearest = none;
@@ -278,7 +287,7 @@ class Seeder {
       };
       for_targets(ray, consider);
       // The ray comes down on the side that looks towards +y.
-      seeds_[c].beyond = nearest == none ? none : 2 * targets.node(nearest) + (nearest_turned ? 1 : 0);
+      seeds_[i].beyond = nearest == none ? none : 2 * targets.node(nearest) + (nearest_turned ? 1 : 0);
     }
   }
 
@@ -300,20 +309,22 @@ class Seeder {
 
   const Arrangement& a_;
   const std::vector<std::uint32_t>& component_of_;
+  const std::vector<std::uint8_t>& placed_;
+  std::vector<std::uint32_t> open_;  // the components that need a seed
   static constexpr std::size_t few = 8;
-  std::vector<Extreme> extreme_;
+  std::vector<Extreme> extreme_;  // by component, as what follows
   double farthest_ = HUGE_VAL;
   std::size_t asked_ = 0;
   std::vector<std::vector<Corner>> corners_;
   std::vector<Direction> direction_;  // of each component's extreme edge
-  std::vector<Seed> seeds_;
+  std::vector<Seed> seeds_;           // by place in open_
 };
 
 }  // namespace
 
 std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of,
-                             std::uint32_t count) {
-  return Seeder(a, component_of, count).run();
+                             const std::vector<std::uint8_t>& placed) {
+  return Seeder(a, component_of, placed).run();
 }
 
 }  // namespace quoin::booleans

@@ -16,7 +16,7 @@ struct Seed {
   Side beyond;
 };
 
-/// One seed per component. `component_of` maps facets and patches to components 0 .. count - 1.
+/// One seed for each component that is not `placed` yet. `component_of` maps facets and patches to components.
 ///
 /// Take the lexicographically smallest vertex v of the component C, and among its edges at v the one of least slope
 /// dy/dx, then of least dz (a vertical edge dx = dy = 0 comes before all); let d be its direction. All facets around it
@@ -27,6 +27,7 @@ struct Seed {
 /// facet passes between v and s, because none meets the edge but in v. That component has a smaller vertex, or the same
 /// one and a smaller slope, so following the seeds ends at infinity.
 /// The shift is symbolic: ties are broken by signs of lower terms, so no ray is ever degenerate.
-std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of, std::uint32_t count);
+std::vector<Seed> find_seeds(const Arrangement& a, const std::vector<std::uint32_t>& component_of,
+                             const std::vector<std::uint8_t>& placed);
 
 }  // namespace quoin::booleans

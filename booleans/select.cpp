@@ -67,7 +67,7 @@ class Selector {
         [&](std::uint32_t i) { return a_.uses[i].left; });
   }
 
-  /// Components hang together over fans and through facets; each gets its place from one ray.
+  /// Components hang together over fans and through facets; each gets its place from a far patch, or else from one ray.
   void link_components() {
     Partition parts(a_.node_count());
     for_fans([&](std::size_t begin, std::size_t end) {
@@ -81,7 +81,14 @@ class Selector {
       if (root == n) component[n] = count++;
       component[n] = component[root];
     }
-    for (const Seed& s : find_seeds(a_, component, count))
+    std::vector<std::uint8_t> placed(count);
+    for (std::uint32_t o = 0; o < a_.far_patch.size(); ++o) {
+      const std::uint32_t far = a_.far_patch[o];
+      if (far == none) continue;
+      cells_.unite(2 * far + (a_.operands.bodies[o]->full_at_infinity ? 1 : 0), infinity_);
+      placed[component[far]] = 1;
+    }
+    for (const Seed& s : find_seeds(a_, component, placed))
       cells_.unite(s.outer, s.beyond == none ? infinity_ : s.beyond);
   }
 

@@ -2,24 +2,38 @@
 
 namespace quoin::booleans {
 
-Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), base{0} {
+Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), base{0}, first_chunk{0} {
+  std::vector<Chunk> own;
   for (std::uint32_t o = 0; o < bodies.size(); ++o) {
     const Body& body = *bodies[o];
-    const std::uint32_t first = base.back(), end = first + static_cast<std::uint32_t>(body.face_count());
-    for (std::uint32_t f = first; f < end; ++f) {
-      const Box box = face_box(body, f - first);
-      if (f == first || f - chunks.back().begin == Chunk::most || !box.meets(chunks.back().box))
-        chunks.push_back({o, f, f, {}});
-      chunks.back().end = f + 1;
-      chunks.back().box.add(box);
+    const auto faces = static_cast<std::uint32_t>(body.face_count());
+    own.clear();
+    if (body.chunks.empty()) add_chunks(body, 0, faces, own);
+    Box& all = bounds.emplace_back();
+    for (const Chunk& c : body.chunks.empty() ? own : body.chunks) {
+      chunks.push_back({{base.back() + c.begin, base.back() + c.end, c.box}, o, false});
+      all.add(c.box);
     }
-    base.push_back(end);
+    base.push_back(base.back() + faces);
+    first_chunk.push_back(static_cast<std::uint32_t>(chunks.size()));
   }
+  for (OperandChunk& c : chunks) c.far = !may_be_near(c.operand, c.box);
 }
 
-std::pair<std::uint32_t, std::uint32_t> Operands::local(std::uint32_t face) const {
-  const auto at = std::upper_bound(base.begin(), base.end(), face) - 1;
-  return {static_cast<std::uint32_t>(at - base.begin()), face - *at};
+std::vector<Chunk> Operands::chunks_meeting(std::uint32_t operand, const Box& box) const {
+  std::vector<Chunk> found;
+  for (const OperandChunk& c : chunks_of(operand))
+    if (c.box.meets(box)) found.push_back({c.begin - base[operand], c.end - base[operand], c.box});
+  return found;
+}
+
+std::uint32_t TouchedFaces::table_id(const Body& body, std::uint32_t operand, std::uint32_t v, VertexTable& vertices) {
+  std::uint32_t& id = vertex_of[operand][v];
+  if (id == none) {
+    id = body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.points[v - body.grid_points.size()]);
+    table_vertices[operand].push_back(v);
+  }
+  return id;
 }
 
 namespace {
@@ -29,21 +43,21 @@ class Collector {
  public:
   Collector(const Operands& operands, std::uint32_t operand, std::vector<std::uint8_t>& touched, VertexTable& vertices,
             PlaneTable& planes, TouchedFaces& out)
-      : body_(*operands.bodies[operand]),
+      : operands_(operands),
+        body_(*operands.bodies[operand]),
         operand_(operand),
         base_(operands.base[operand]),
         touched_(touched),
         vertices_(vertices),
         planes_(planes),
         out_(out),
-        vertex_of_(out.vertex_of[operand]),
         first_face_(out.faces.size()) {}
 
   void run() {
     std::vector<std::uint8_t> marked(body_.vertex_count());
     for (std::uint32_t f = 0; f < body_.face_count(); ++f)
       if (touched_[base_ + f]) body_.for_corners(f, [&](std::uint32_t v) { marked[v] = 1; });
-    out_.adjacency[operand_] = std::make_unique<Adjacency>(body_, std::move(marked));
+    out_.adjacency[operand_] = std::make_unique<Adjacency>(body_, std::move(marked), near_chunks());
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
       if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
@@ -60,6 +74,18 @@ class Collector {
   struct LocalEdge {
     std::uint32_t u, v;  // local vertex ids
   };
+
+  /// The chunks that may hold a face with a vertex of a touched face.
+  std::vector<Chunk> near_chunks() const {
+    Box box;
+    for (const OperandChunk& c : operands_.chunks_of(operand_))
+      for (std::uint32_t f = c.begin; f < c.end; ++f)
+        if (touched_[f]) {
+          box.add(c.box);
+          break;
+        }
+    return operands_.chunks_meeting(operand_, box);
+  }
 
   /// Knows one end of the edge. Floods that run far make it complete.
   const Adjacency& adjacency(std::uint32_t u, std::uint32_t v) {
@@ -136,13 +162,7 @@ class Collector {
     face.isolated_end = static_cast<std::uint32_t>(out_.isolated.size());
   }
 
-  std::uint32_t table_id(std::uint32_t v) {
-    std::uint32_t& id = vertex_of_[v];
-    if (id == none)
-      id = body_.is_grid(v) ? vertices_.id(body_.grid_points[v])
-                            : vertices_.id(body_.points[v - body_.grid_points.size()]);
-    return id;
-  }
+  std::uint32_t table_id(std::uint32_t v) { return out_.table_id(body_, operand_, v, vertices_); }
 
   void add_edge(std::uint32_t u, std::uint32_t v) {
     out_.edges.push_back({table_id(u), table_id(v), none});
@@ -186,13 +206,13 @@ class Collector {
     return exact::reduced_plane(n, -(exact::int128(n[i]) * p.c[i] + exact::int128(n[j]) * p.c[j]));
   }
 
+  const Operands& operands_;
   const Body& body_;
   const std::uint32_t operand_, base_;
   std::vector<std::uint8_t>& touched_;
   VertexTable& vertices_;
   PlaneTable& planes_;
   TouchedFaces& out_;
-  std::vector<std::uint32_t>& vertex_of_;
   const std::size_t first_face_;  // of this operand
   std::vector<std::uint32_t> members_;
   std::vector<LocalEdge> local_;  // of all edges of this operand, parallel to the tail of out_.edges
@@ -208,6 +228,7 @@ TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdP
   const std::size_t n = operands.bodies.size();
   out.face_of.assign(operands.face_count(), none);
   out.vertex_of.resize(n);
+  out.table_vertices.resize(n);
   out.adjacency.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
     const auto first = touched.begin() + operands.base[i], last = touched.begin() + operands.base[i + 1];

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "booleans/adjacency.h"
-#include "booleans/box.h"
+#include "booleans/box_tree.h"
 #include "booleans/tables.h"
 
 namespace quoin::booleans {
@@ -36,25 +36,42 @@ struct UntouchedUse {
   std::uint32_t operand, face;  // the untouched face
 };
 
-/// Faces of one operand that follow each other, each near those before it, with their box: what is far away is passed
-/// over by the chunk. Meshes come in some order that hangs together; where it jumps, a chunk ends.
-struct Chunk {
-  static constexpr std::uint32_t most = 32;
+/// A chunk of one operand; faces are global ids.
+struct OperandChunk : Chunk {
   std::uint32_t operand;
-  std::uint32_t begin, end;  // global face ids
-  Box box;
+  bool far;  // meets the bounds of no other operand: all its faces lie where the others are as they are at infinity
 };
 
 /// The operands of one arrangement. Faces of all operands are numbered through.
 struct Operands {
   std::vector<const Body*> bodies;
   std::vector<std::uint32_t> base;  // first global face id of each operand, plus the total
-  std::vector<Chunk> chunks;
+  std::vector<OperandChunk> chunks;
+  std::vector<std::uint32_t> first_chunk;  // of each operand, plus the total
+  std::vector<Box> bounds;                 // of each operand
+
+  /// More operands than this are not compared one by one.
+  static constexpr std::size_t few = 8;
 
   explicit Operands(std::vector<const Body*> list);
   std::uint32_t face_count() const { return base.back(); }
+  /// False when the box, of faces of that operand, meets no other operand's bounds; of many operands not all are asked.
+  bool may_be_near(std::uint32_t operand, const Box& box) const {
+    bool near = bodies.size() > few;
+    for (std::uint32_t o = 0; o < bodies.size() && !near; ++o) near = o != operand && box.meets(bounds[o]);
+    return near;
+  }
+  std::span<const OperandChunk> chunks_of(std::uint32_t operand) const {
+    return std::span(chunks).subspan(first_chunk[operand], first_chunk[operand + 1] - first_chunk[operand]);
+  }
+  /// The chunks of one operand, in its own face ids, that meet a box.
+  std::vector<Chunk> chunks_meeting(std::uint32_t operand, const Box& box) const;
   /// Operand and local id of a global face id.
-  std::pair<std::uint32_t, std::uint32_t> local(std::uint32_t face) const;
+  std::pair<std::uint32_t, std::uint32_t> local(std::uint32_t face) const {
+    if (bodies.size() == 2) return face < base[1] ? std::pair(0u, face) : std::pair(1u, face - base[1]);
+    const auto at = std::upper_bound(base.begin(), base.end(), face) - 1;
+    return {static_cast<std::uint32_t>(at - base.begin()), face - *at};
+  }
 };
 
 struct TouchedFaces {
@@ -68,6 +85,9 @@ struct TouchedFaces {
   std::vector<std::uint32_t> face_of;  // global face id -> index into faces, none when untouched
   /// Per operand: local vertex id -> table id, none where the vertex is on no touched face.
   std::vector<std::vector<std::uint32_t>> vertex_of;
+  std::vector<std::vector<std::uint32_t>> table_vertices;  // per operand: the local ids that have one
+  /// The table id of a vertex, which enters the table if need be. Precondition: vertex_of[operand] has its size.
+  std::uint32_t table_id(const Body& body, std::uint32_t operand, std::uint32_t v, VertexTable& vertices);
   /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
   std::vector<std::unique_ptr<Adjacency>> adjacency;
   std::vector<std::unique_ptr<BoxTree>> edge_tree;  // per face, items are indices into edges; null for small faces

@@ -45,6 +45,19 @@ TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
 INSTANTIATE_TEST_SUITE_P(Booleans, PartsOfFamily, ::testing::ValuesIn(families),
                          [](const auto& info) { return name_of(info.param); });
 
+TEST(Parts, RepeatedLeavesCountOnceOrCancel) {
+  const Body b = box({0, 0, 0}, {2, 2, 2});
+  const std::vector<const Body*> one{&b};
+  for (const Rule rule : {Rule::any, Rule::all, Rule::odd})
+    for (const std::uint32_t copies : {9u, 10u}) {
+      Expression e;
+      e.add({rule, false, 0, none});
+      for (std::uint32_t i = 0; i < copies; ++i) e.add({Rule::operand, false, 0, 0});
+      const Body result = sound(evaluate_in_parts(one, e));
+      EXPECT_TRUE(rule == Rule::odd && copies == 10 ? empty(result) : same(result, b));
+    }
+}
+
 TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   std::vector<Body> boxes;
   for (std::int64_t i = 0; i < 100; ++i) boxes.push_back(box({3 * i, 0, 0}, {3 * i + 2, 2, 2}));

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "booleans/box.h"
+#include "booleans/box_tree.h"
 #include "booleans/triangle_pair.h"
 #include "tests/booleans/support.h"
 
@@ -138,13 +138,13 @@ TEST(BoxTree, FindsThePairsThatBoxesHave) {
           all.insert({i, j});
           if (items[i].group != items[j].group) foreign.insert({i, j});
         }
-    const BoxTree tree(items);
+    const BoxTree tree(items, random.one_in(2) ? BoxTree::Order::by_group : BoxTree::Order::by_place);
     const auto collect = [](std::multiset<std::array<std::uint32_t, 2>>& into) {
       return [&into](std::uint32_t i, std::uint32_t j) { into.insert({std::min(i, j), std::max(i, j)}); };
     };
     std::multiset<std::array<std::uint32_t, 2>> found, found_foreign;
     tree.pairs(collect(found));
-    tree.foreign_pairs(collect(found_foreign));
+    tree.foreign_pairs_but([](std::uint32_t, std::uint32_t) { return 0u; }, collect(found_foreign));
     EXPECT_TRUE(std::equal(all.begin(), all.end(), found.begin(), found.end()));
     EXPECT_TRUE(std::equal(foreign.begin(), foreign.end(), found_foreign.begin(), found_foreign.end()));
     for (int i = 0; i < 5 && !items.empty(); ++i) {

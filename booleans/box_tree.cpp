@@ -1,4 +1,4 @@
-#include "booleans/box.h"
+#include "booleans/box_tree.h"
 
 namespace quoin::booleans {
 namespace {
@@ -25,7 +25,7 @@ void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Item>& items) {
+BoxTree::BoxTree(const std::vector<Item>& items, Order by) {
   if (items.empty()) return;
   Box all;
   for (const Item& x : items) all.add(x.box);
@@ -46,6 +46,17 @@ BoxTree::BoxTree(const std::vector<Item>& items) {
     order[i] = {key, i};
   }
   radix_sort(order);
+  if (by == Order::by_group) {
+    std::vector<std::size_t> start(1);
+    for (const Item& x : items) {
+      start.resize(std::max<std::size_t>(start.size(), x.group + std::size_t{2}));
+      ++start[x.group + 1];
+    }
+    for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
+    auto sorted = order;
+    for (const auto& x : order) sorted[start[items[x.second].group]++] = x;
+    order.swap(sorted);
+  }
   ids_.reserve(items.size());
   for (const auto& o : order) ids_.push_back(items[o.second].id);
   levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made
