@@ -132,8 +132,8 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
     return Error{"out-of-range", std::string("the solid reaches beyond the largest ") +
                                      (options.float32 ? "float32" : "double") + "; scale the model down"};
-  out.triangles.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) out.triangles.insert(out.triangles.end(), t.begin(), t.end());
+  const std::uint32_t* const corners = mesh.triangles.empty() ? nullptr : mesh.triangles[0].data();
+  out.triangles.assign(corners, corners + 3 * mesh.triangles.size());
   if (report) {
     // Raw triangles come first.
     const bool exact = !options.float32 && grid::Rounder(Access::lattice(*this)).is_exact();

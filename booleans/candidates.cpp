@@ -265,8 +265,13 @@ class BlockSlabs {
     for (std::size_t b = 0; b < slabs_.size(); ++b) slabs_[b] = slab(b);
   }
   /// Is the i-th face of the order strictly on one side of the slab of block b?
-  bool apart(std::uint32_t i, std::uint32_t b) const {
-    return slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal));
+  bool apart(std::uint32_t i, std::uint32_t b) {
+    const std::uint32_t own = i / BoxBlock::width;
+    if (asked_ != std::array{own, b}) {
+      asked_ = {own, b};
+      bundles_apart_ = slabs_[own].is_bundle && slabs_[b].is_bundle && bundles_apart(own, b);
+    }
+    return bundles_apart_ || slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal));
   }
 
  private:
@@ -275,6 +280,8 @@ class BlockSlabs {
   struct Slab {
     Normal normal;
     Reach reach;
+    Normal along;    // of the longest edge of a triangle, components below 2^14
+    bool is_bundle;  // the triangles are long and thin
   };
   struct Face {
     const Body* body;
@@ -300,28 +307,63 @@ class BlockSlabs {
     r.add(value(n, high));
     return r;
   }
-  /// Any normal is right; the sum of the faces' normals makes the slab thin.
+  Reach reach(std::size_t block, const Normal& n) const {
+    Reach r;
+    const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      const Reach own = reach(faces_[i], n);
+      r.add(own.low);
+      r.add(own.high);
+    }
+    return r;
+  }
+  /// Components below 2 * 2^28.
+  bool bundles_apart(std::size_t a, std::size_t b) const {
+    const Normal &u = slabs_[a].along, &v = slabs_[b].along;
+    Normal n{};
+    for (std::size_t k = 0; k < 3; ++k) n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    return reach(a, n).apart(reach(b, n));
+  }
+  /// In the direction of d, components at most `size`.
+  static Normal scaled(const std::array<double, 3>& d, int size) {
+    const double longest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
+    Normal n{};
+    for (std::size_t k = 0; k < 3; ++k) n[k] = longest > 0 ? static_cast<std::int64_t>(d[k] * size / longest) : 0;
+    return n;
+  }
+  /// Any direction is right; these make the slabs thin.
   Slab slab(std::size_t block) const {
     const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
-    std::array<double, 3> sum{};
+    std::array<double, 3> sum{}, along{};
+    double area = 0, longest = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const exact::Plane p = faces_[i].body->sign_plane(faces_[i].id);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += double(p.n[k]);
+      const Body& body = *faces_[i].body;
+      const exact::Plane p = body.sign_plane(faces_[i].id);
+      const std::array<double, 3> normal{double(p.n[0]), double(p.n[1]), double(p.n[2])};
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];
+      area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+      if (faces_[i].id >= body.triangles.size()) {
+        area = HUGE_VAL;  // of triangles only
+        continue;
+      }
+      const auto& t = body.triangles[faces_[i].id];
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::array<double, 3> e{};
+        for (std::size_t k = 0; k < 3; ++k)
+          e[k] = double(body.grid_points[t[c]].c[k]) - double(body.grid_points[t[(c + 1) % 3]].c[k]);
+        const double length = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+        if (length > longest) longest = length, along = e;
+      }
     }
-    const double longest = std::max({std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])});
-    Slab s{};
-    for (std::size_t k = 0; k < 3; ++k)
-      s.normal[k] = longest > 0 ? static_cast<std::int64_t>(sum[k] * ((1 << 30) - 1) / longest) : k == 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Reach r = reach(faces_[i], s.normal);
-      s.reach.add(r.low);
-      s.reach.add(r.high);
-    }
+    Slab s{scaled(sum, (1 << 30) - 1), {}, scaled(along, (1 << 14) - 1), 4 * area < longest};
+    s.reach = reach(block, s.normal);
     return s;
   }
 
   std::vector<Face> faces_;  // in the tree's order
   std::vector<Slab> slabs_;
+  std::array<std::uint32_t, 2> asked_{none, none};  // the last two blocks
+  bool bundles_apart_ = false;
 };
 
 }  // namespace
@@ -347,7 +389,7 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   });
   const bool few = operands.bodies.size() <= Operands::few;
   const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
-  const BlockSlabs slabs(operands, tree.ids());
+  BlockSlabs slabs(operands, tree.ids());
   tree.foreign_pairs_but([&](std::uint32_t i, std::uint32_t b) { return slabs.apart(i, b) ? ~0u : 0u; }, sieve);
   return sieve.take();
 }

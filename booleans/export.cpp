@@ -1,5 +1,7 @@
 #include "booleans/export.h"
 
+#include <tbb/parallel_for.h>
+
 #include <numeric>
 
 #include "booleans/around_edge.h"
@@ -48,33 +50,80 @@ class PlanePoints {
   bool all_grid_ = true;
 };
 
-/// Triangulates polygon p of the body.
-void triangulate_polygon(const Body& body, std::uint32_t p, std::vector<FaceTriangle>& triangles,
-                         std::vector<std::uint32_t>& ids) {
-  const std::uint32_t first = body.polygon_loops[p], last = body.polygon_loops[p + 1];
-  ids.assign(body.corners.begin() + body.loop_corners[first], body.corners.begin() + body.loop_corners[last]);
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  const auto local = [&](std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), v) - ids.begin());
-  };
-  std::vector<FaceEdge> edges;
-  std::vector<std::uint32_t> isolated;
-  for (std::uint32_t j = first; j < last; ++j) {
-    const auto loop = body.loop(j);
-    if (loop.size() == 1) isolated.push_back(local(loop[0]));
-    for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
-      edges.push_back({local(loop[i]), local(loop[i + 1 < loop.size() ? i + 1 : 0])});
+/// Triangulates polygons of a body, each with the memory of those before.
+class Triangulator {
+ public:
+  explicit Triangulator(const Body& body) : body_(body) {}
+
+  /// Appends the triangles of polygon p.
+  void add(std::uint32_t p, std::vector<std::array<std::uint32_t, 3>>& out) {
+    const std::uint32_t first = body_.polygon_loops[p], last = body_.polygon_loops[p + 1];
+    if (const auto loop = body_.loop(first); last == first + 1 && loop.size() == 3) {
+      out.push_back({loop[0], loop[1], loop[2]});
+      return;
+    }
+    ids_.assign(body_.corners.begin() + body_.loop_corners[first], body_.corners.begin() + body_.loop_corners[last]);
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    edges_.clear();
+    isolated_.clear();
+    for (std::uint32_t j = first; j < last; ++j) {
+      const auto loop = body_.loop(j);
+      if (loop.size() == 1) isolated_.push_back(local(loop[0]));
+      for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
+        edges_.push_back({local(loop[i]), local(loop[i + 1 < loop.size() ? i + 1 : 0])});
+    }
+    const PlanePoints points(body_, body_.planes[p], ids_);
+    triangles_.clear();
+    [[maybe_unused]] const bool closed =
+        triangulate(points, static_cast<std::uint32_t>(ids_.size()), edges_, isolated_, triangles_);
+    assert(closed);
+    if (triangles_.size() > 1) {
+      shape_.resize(ids_.size());
+      for (std::uint32_t i = 0; i < shape_.size(); ++i) shape_[i] = points.approximate(i);
+      improve_triangles(points, edges_, shape_, triangles_);
+    }
+    for (const FaceTriangle& t : triangles_) out.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
   }
-  const PlanePoints points(body, body.planes[p], ids);
-  triangles.clear();
-  [[maybe_unused]] const bool closed =
-      triangulate(points, static_cast<std::uint32_t>(ids.size()), edges, isolated, triangles);
-  assert(closed);
-  if (triangles.size() > 1) {
-    std::vector<std::array<double, 2>> shape(ids.size());
-    for (std::uint32_t i = 0; i < shape.size(); ++i) shape[i] = points.approximate(i);
-    improve_triangles(points, edges, shape, triangles);
+
+ private:
+  std::uint32_t local(std::uint32_t v) const {
+    return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), v) - ids_.begin());
+  }
+
+  const Body& body_;
+  std::vector<std::uint32_t> ids_, isolated_;
+  std::vector<FaceEdge> edges_;
+  std::vector<FaceTriangle> triangles_;
+  std::vector<std::array<double, 2>> shape_;
+};
+
+/// The triangles of some polygons, in order.
+struct Pieces {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> face;
+};
+
+void add_polygons(const Body& body, Triangulated& mesh) {
+  constexpr std::uint32_t batch = 64;
+  const auto count = static_cast<std::uint32_t>(body.polygon_count());
+  std::vector<Pieces> batches((count + batch - 1) / batch);
+  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+    Triangulator triangulator(body);
+    Pieces& pieces = batches[b];
+    for (auto p = static_cast<std::uint32_t>(b) * batch;
+         p < std::min(count, (static_cast<std::uint32_t>(b) + 1) * batch); ++p) {
+      triangulator.add(p, pieces.triangles);
+      pieces.face.resize(pieces.triangles.size(), static_cast<std::uint32_t>(body.triangles.size()) + p);
+    }
+  });
+  std::size_t total = mesh.triangles.size();
+  for (const Pieces& p : batches) total += p.triangles.size();
+  mesh.triangles.reserve(total);
+  mesh.face.reserve(total);
+  for (const Pieces& p : batches) {
+    mesh.triangles.insert(mesh.triangles.end(), p.triangles.begin(), p.triangles.end());
+    mesh.face.insert(mesh.face.end(), p.face.begin(), p.face.end());
   }
 }
 
@@ -122,23 +171,16 @@ Triangulated triangulated(const Body& body) {
   mesh.triangles = body.triangles;
   mesh.face.resize(body.triangles.size());
   std::iota(mesh.face.begin(), mesh.face.end(), 0u);
-  std::vector<FaceTriangle> pieces;
-  std::vector<std::uint32_t> ids;
-  for (std::uint32_t p = 0; p < body.polygon_count(); ++p) {
-    triangulate_polygon(body, p, pieces, ids);
-    for (const FaceTriangle& t : pieces) {
-      mesh.triangles.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
-      mesh.face.push_back(static_cast<std::uint32_t>(body.triangles.size()) + p);
-    }
-  }
-  std::vector<std::uint32_t> id(body.vertex_count(), none);
+  add_polygons(body, mesh);
+  std::vector<std::uint8_t> used(body.vertex_count());
   for (const auto& t : mesh.triangles)
-    for (std::uint32_t v : t) id[v] = 0;
-  for (std::uint32_t v = 0; v < id.size(); ++v) {
-    if (id[v] == none) continue;
-    id[v] = static_cast<std::uint32_t>(mesh.source.size());
-    mesh.source.push_back(v);
-  }
+    for (std::uint32_t v : t) used[v] = 1;
+  mesh.source.reserve(used.size());
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v]) mesh.source.push_back(v);
+  if (mesh.source.size() == used.size()) return mesh;
+  std::vector<std::uint32_t> id(used.size());
+  for (std::uint32_t i = 0; i < mesh.source.size(); ++i) id[mesh.source[i]] = i;
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = id[v];
   return mesh;
