@@ -75,6 +75,10 @@ class Triangulator {
     }
     const PlanePoints points(body_, body_.planes[p], ids_);
     triangles_.clear();
+    if (edges_.size() == 4 && ids_.size() == 4 && isolated_.empty() && last == first + 1 && cut_quadrilateral(points)) {
+      for (const FaceTriangle& t : triangles_) out.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+      return;
+    }
     [[maybe_unused]] const bool closed =
         triangulate(points, static_cast<std::uint32_t>(ids_.size()), edges_, isolated_, triangles_);
     assert(closed);
@@ -89,6 +93,27 @@ class Triangulator {
  private:
   std::uint32_t local(std::uint32_t v) const {
     return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), v) - ids_.begin());
+  }
+
+  /// Two triangles for a loop of four corners; false when neither diagonal leaves two proper ones.
+  bool cut_quadrilateral(const PlanePoints& points) {
+    // From the first corner in the plane's own order, wherever the loop begins.
+    std::array<std::uint32_t, 4> c{};
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < 4; ++i)
+      if (points.compare(edges_[i][0], edges_[first][0]) < 0) first = i;
+    for (std::size_t i = 0; i < 4; ++i) c[i] = edges_[(first + i) % 4][0];
+    const auto proper = [&](std::size_t i) {  // the diagonal from corner i
+      return points.orientation(c[i], c[i + 1], c[i + 2]) > 0 && points.orientation(c[i + 2], c[(i + 3) % 4], c[i]) > 0;
+    };
+    const bool even = proper(0), odd = proper(1);
+    if (!even && !odd) return false;
+    const auto at = [&](std::size_t i) { return points.approximate(c[i]); };
+    if (even && !(odd && prefers_other_diagonal(at(2), at(0), at(1), at(3))))
+      triangles_ = {{c[0], c[1], c[2]}, {c[2], c[3], c[0]}};
+    else
+      triangles_ = {{c[1], c[2], c[3]}, {c[3], c[0], c[1]}};
+    return true;
   }
 
   const Body& body_;

@@ -87,10 +87,22 @@ std::size_t apex(const std::array<int, 3>& s, int& side) {
   return 0;  // not reached
 }
 
+/// Does the line of an edge of p have q strictly on the other side than p? k: an axis along which p keeps its area.
+bool edge_separates(const GridTriangle& p, const GridTriangle& q, std::size_t k) {
+  const int inside = projected(p[0], p[1], p[2], k);
+  for (std::size_t i = 0; i < 3; ++i) {
+    bool outside = true;
+    for (std::size_t j = 0; j < 3 && outside; ++j) outside = projected(p[i], p[(i + 1) % 3], q[j], k) * inside < 0;
+    if (outside) return true;
+  }
+  return false;
+}
+
+/// Disjoint convex sets in a plane are separated by the line of an edge.
 bool meet_in_plane(const GridTriangle& p, const GridTriangle& q) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (meet_in_plane(p[i], p[(i + 1) % 3], q)) return true;
-  return meet_in_plane(q[0], q[1], p);  // q may lie within p
+  std::size_t k = 0;
+  while (projected(p[0], p[1], p[2], k) == 0) ++k;
+  return !edge_separates(p, q, k) && !edge_separates(q, p, k);
 }
 
 bool all_equal(const std::array<int, 3>& s) { return s[0] == s[1] && s[0] == s[2]; }
