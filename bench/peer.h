@@ -75,6 +75,33 @@ inline long memory(const std::string& field) {
   return 0;
 }
 
+/// For engines that combine two operands at a time: op(a, b, 'u' | 'i' | 'd') gives the result. Operations on many are
+/// done in a balanced tree, which is what suits such engines best.
+template <class Solid, class Op>
+Solid combine_pairwise(const Task& task, std::vector<Solid>& solids, Op op) {
+  const auto tree = [&](std::vector<Solid> level, char operation) {
+    while (level.size() > 1) {
+      std::vector<Solid> next;
+      for (std::size_t i = 0; i + 1 < level.size(); i += 2) next.push_back(op(level[i], level[i + 1], operation));
+      if (level.size() % 2 == 1) next.push_back(std::move(level.back()));
+      level = std::move(next);
+    }
+    return std::move(level[0]);
+  };
+  if (task.operation == "union") return tree(std::move(solids), 'u');
+  if (task.operation == "intersection") return tree(std::move(solids), 'i');
+  if (task.operation == "difference") {
+    Solid first = std::move(solids[0]);
+    solids.erase(solids.begin());
+    Solid rest = tree(std::move(solids), 'u');
+    return op(first, rest, 'd');
+  }
+  Solid result = std::move(solids[0]);
+  for (std::size_t i = 1; i < solids.size(); ++i)
+    result = op(result, solids[i], task.operation == "unions" ? 'u' : 'd');
+  return result;
+}
+
 /// Solids solids = import(task); Solid result = combine(task, solids); Mesh mesh = to_mesh(result).
 template <class Import, class Combine, class ToMesh>
 int run_peer(int argc, char** argv, Import import, Combine combine, ToMesh to_mesh) {

@@ -13,7 +13,7 @@ namespace quoin::booleans {
 namespace {
 
 /// How many operands are combined at a time.
-constexpr std::size_t group_size = 8;
+constexpr std::size_t group_size = 4;
 
 /// A leaf of the expression that may be combined with its like under the same node.
 struct Member {
@@ -124,7 +124,7 @@ class Reduction {
     for (auto& [key, members] : like) {
       if (members.size() <= group_size || !is_crowded(members)) continue;
       sort_in_space(members);
-      for (std::size_t i = 0; i < members.size(); i += group_size) {
+      for (std::size_t i = 0; i + 1 < members.size(); i += group_size) {  // a last one alone waits for the next round
         Group& group = groups_.emplace_back();
         for (std::size_t j = i; j < std::min(members.size(), i + group_size); ++j)
           group.leaves.push_back(members[j].leaf);

@@ -7,12 +7,26 @@ namespace quoin::booleans {
 
 std::uint32_t PlaneTable::id(const exact::Plane& plane) {
   const exact::Plane key = exact::is_canonical(plane) ? plane : plane.opposite();
-  const auto [at, fresh] = ids_.try_emplace(key, static_cast<std::uint32_t>(planes_.size()));
-  if (fresh) {
-    planes_.push_back(key);
-    approximations_.push_back(exact::approximation(key));
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t i = exact::hash(key) & mask;
+  for (; slots_[i] != none; i = (i + 1) & mask)
+    if (planes_[slots_[i]] == key) return slots_[i];
+  const auto id = static_cast<std::uint32_t>(planes_.size());
+  slots_[i] = id;
+  planes_.push_back(key);
+  approximations_.push_back(exact::approximation(key));
+  if (planes_.size() * 2 > slots_.size()) grow();
+  return id;
+}
+
+void PlaneTable::grow() {
+  slots_.assign(slots_.size() * 2, none);
+  const std::size_t mask = slots_.size() - 1;
+  for (std::uint32_t id = 0; id < planes_.size(); ++id) {
+    std::size_t i = exact::hash(planes_[id]) & mask;
+    while (slots_[i] != none) i = (i + 1) & mask;
+    slots_[i] = id;
   }
-  return at->second;
 }
 
 VertexTable::VertexTable() : slots_(64, none) {}

@@ -5,7 +5,6 @@
 /// of vertices is equality of ids.
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "booleans/body.h"
@@ -26,12 +25,11 @@ class PlaneTable {
   std::size_t size() const { return planes_.size(); }
 
  private:
-  struct Hash {
-    std::size_t operator()(const exact::Plane& p) const { return exact::hash(p); }
-  };
+  void grow();
+
   std::vector<exact::Plane> planes_;
   std::vector<exact::PlaneApproximation> approximations_;
-  std::unordered_map<exact::Plane, std::uint32_t, Hash> ids_;
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(64, none);  // open addressing
 };
 
 /// Distinct points. Points with integer coordinates are grid points, however they arose.
