@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "bench/workloads.h"
+#include "exact/counters.h"
 #include "examples/mesh_file.h"
 #include "quoin/quoin.h"
 
@@ -179,6 +180,8 @@ int write(const Workload& w, std::size_t size, const std::string& folder) {
   return 0;
 }
 
+unsigned long long count(std::uint64_t n) { return n; }
+
 int run(const Workload& w, std::size_t size) {
   grid = must(Grid::with_step(w.step));
   const std::vector<Solid> solids = import(w.operands(size));
@@ -188,6 +191,7 @@ int run(const Workload& w, std::size_t size) {
   ExportReport report;
   const Mesh mesh =
       timed(exporting, "triangulate, round, check", [&] { return must(result.to_triangles({}, &report)); });
+  const exact::Counters rungs = exact::total_counters();  // before the law is tried
   const Law tried = law(w, size, solids, before, result);
   std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", w.name.c_str(), size, run_options.threads);
   const std::array<std::pair<const char*, const Clock*>, 3> clocks{
@@ -202,12 +206,13 @@ int run(const Workload& w, std::size_t size) {
     std::printf("}");
   }
   std::printf(
+      ", \"symbolic\": %llu, \"filter\": %llu, \"fixed_width\": %llu, \"rational\": %llu"
       ", \"peak_mb\": %ld, \"vertices\": %zu, \"triangles\": %zu, \"closed\": %s, \"flipped\": %llu, \"volume\": "
       "%.17g, \"law\": \"%s\", "
       "\"holds\": %s}\n",
-      peak_mb, mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false",
-      static_cast<unsigned long long>(report.flipped), volume(result).convert_to<double>(), tried.text.c_str(),
-      tried.holds ? "true" : "false");
+      count(rungs.symbolic), count(rungs.filter), count(rungs.fixed_width), count(rungs.rational), peak_mb,
+      mesh.points.size() / 3, mesh.triangles.size() / 3, report.closed ? "true" : "false", count(report.flipped),
+      volume(result).convert_to<double>(), tried.text.c_str(), tried.holds ? "true" : "false");
   return report.closed && tried.holds ? 0 : 1;
 }
 

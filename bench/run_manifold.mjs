@@ -1,13 +1,11 @@
 // Runs the npm package manifold-3d on a workload's folder; see bench/peer.h.
 // usage: node run_manifold.mjs MODULES FOLDER THREADS, MODULES being the folder that holds node_modules.
 import {existsSync, readFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 const [modules, folder] = process.argv.slice(2);
-const require = createRequire(pathToFileURL(join(resolve(modules), 'any.js')));
-const {default: load} = await import(pathToFileURL(require.resolve('manifold-3d')));
+const {default: load} = await import(pathToFileURL(join(resolve(modules), 'node_modules/manifold-3d/manifold.js')));
 const wasm = await load();
 wasm.setup();
 const {Manifold, Mesh} = wasm;

@@ -26,7 +26,8 @@ class Adjacency {
   template <class Visit>
   void faces_at_edge(std::uint32_t u, std::uint32_t v, Visit&& visit) const {
     assert(knows(u) || knows(v));
-    const bool turned = !knows(u);
+    // From the end with fewer triangles: the hub of a fan has them all.
+    const bool turned = !knows(u) || (knows(v) && triangle_count(v) < triangle_count(u));
     const std::uint32_t at = turned ? v : u, to = turned ? u : v;
     for_triangles(at, [&](std::uint32_t t, std::size_t corner) {
       const auto& c = body_.triangles[t];
@@ -58,6 +59,9 @@ class Adjacency {
     bool forward;
   };
 
+  std::uint32_t triangle_count(std::uint32_t u) const {
+    return u < body_.grid_points.size() ? start_[u + 1] - start_[u] : 0;
+  }
   template <class Visit>
   void for_triangles(std::uint32_t u, Visit&& visit) const {
     if (u >= body_.grid_points.size()) return;

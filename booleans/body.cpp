@@ -14,48 +14,48 @@ exact::Plane Body::plane(std::uint32_t face) const {
   return *p;
 }
 
-Box face_box(const Body& body, std::uint32_t face) {
-  Box box;
-  if (face >= body.triangles.size()) {
-    body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
-    return box;
-  }
-  const auto& t = body.triangles[face];
-  const exact::GridPoint &a = body.grid_points[t[0]], &b = body.grid_points[t[1]], &c = body.grid_points[t[2]];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::int32_t low = a.c[k] < b.c[k] ? a.c[k] : b.c[k], high = a.c[k] < b.c[k] ? b.c[k] : a.c[k];
-    box.low[k] = c.c[k] < low ? c.c[k] : low;
-    box.high[k] = c.c[k] > high ? c.c[k] : high;
-  }
+namespace {
+
+WideBox triangle_box(const Body& body, std::uint32_t t) {
+  const auto& c = body.triangles[t];
+  WideBox box(body.grid_points[c[0]]);
+  box.add(body.grid_points[c[1]]);
+  box.add(body.grid_points[c[2]]);
   return box;
 }
 
-namespace {
+Box polygon_box(const Body& body, std::uint32_t face) {
+  Box box;
+  body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
+  return box;
+}
 
-/// Puts faces into chunks one after the other.
-class Chunker {
- public:
-  explicit Chunker(std::vector<Chunk>& chunks) : chunks_(chunks), first_(chunks.size()) {}
-  void add(std::uint32_t face, const Box& box) {
-    if (chunks_.size() == first_ || face - chunks_.back().begin == Chunk::most || !box.meets(chunks_.back().box))
-      chunks_.push_back({face, face, {}});
-    chunks_.back().end = face + 1;
-    chunks_.back().box.add(box);
+/// Appends the chunks of faces of one tier.
+template <class BoxOf>
+void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
+  while (begin < end) {
+    WideBox all = box_of(begin);
+    std::uint32_t next = begin + 1;
+    for (; next < end && next - begin < Chunk::most; ++next) {
+      const WideBox box = box_of(next);
+      if (!box.meets(all)) break;
+      all.add(box);
+    }
+    chunks.push_back({begin, next, all.box()});
+    begin = next;
   }
-
- private:
-  std::vector<Chunk>& chunks_;
-  const std::size_t first_;
-};
+}
 
 }  // namespace
 
+Box face_box(const Body& body, std::uint32_t face) {
+  return face < body.triangles.size() ? triangle_box(body, face).box() : polygon_box(body, face);
+}
+
 void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks) {
   const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
-  for (const auto& [first, last] : {std::array{begin, std::min(end, triangles)}, {std::max(begin, triangles), end}}) {
-    Chunker chunker(chunks);
-    for (std::uint32_t f = first; f < last; ++f) chunker.add(f, face_box(body, f));
-  }
+  add_chunks(begin, std::min(end, triangles), chunks, [&](std::uint32_t f) { return triangle_box(body, f); });
+  add_chunks(std::max(begin, triangles), end, chunks, [&](std::uint32_t f) { return WideBox(polygon_box(body, f)); });
 }
 
 Body complement(const Body& body) {

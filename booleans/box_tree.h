@@ -100,10 +100,10 @@ class BoxTree {
   /// visit(id, id') for every pair of items whose boxes meet, each pair once.
   template <class Visit>
   void pairs(Visit&& visit) const {
-    pairs_but([](std::uint32_t, std::uint32_t) { return 0u; }, visit);
+    pairs_but([](std::uint32_t, std::uint32_t, unsigned) { return 0u; }, visit);
   }
-  /// The same, leaving out what `skip(i, b)` says: a bit for each item of block b that is not wanted with the i-th item
-  /// of the tree's order.
+  /// The same, leaving out what `skip(i, b, lanes)` says: a bit for each item of block b that is not wanted with the
+  /// i-th item of the tree's order; only those of `lanes` matter.
   template <class Skip, class Visit>
   void pairs_but(Skip&& skip, Visit&& visit) const {
     const auto all = [](std::uint32_t, std::uint32_t) { return false; };
@@ -113,9 +113,10 @@ class BoxTree {
   template <class Skip, class Visit>
   void foreign_pairs_but(Skip&& skip, Visit&& visit) const {
     const auto same = [](std::uint32_t g, std::uint32_t h) { return g == h && g != mixed; };
-    const auto skip_more = [&](std::uint32_t i, std::uint32_t b) {
+    const auto skip_more = [&](std::uint32_t i, std::uint32_t b, unsigned lanes) {
       const auto& groups = levels_[0].group;
-      return lanes_equal(&groups[b * BoxBlock::width], groups[i]) | skip(i, b);
+      const unsigned own = lanes_equal(&groups[b * BoxBlock::width], groups[i]);
+      return (lanes & ~own) == 0 ? own : own | skip(i, b, lanes & ~own);
     };
     if (!levels_.empty()) self(levels_.size() - 1, 0, same, skip_more, visit);
   }
@@ -157,7 +158,7 @@ class BoxTree {
       if (x >= levels_[level].count) break;
       unsigned lanes = block.meeting(block.box(i)) & (~1u << i);
       if (level == 0) {
-        if (lanes != 0) lanes &= ~skip(x, b);
+        if (lanes != 0) lanes &= ~skip(x, b, lanes);
         for (; lanes != 0; lanes &= lanes - 1) visit(ids_[x], ids_[b * BoxBlock::width + lowest(lanes)]);
         continue;
       }
@@ -176,7 +177,7 @@ class BoxTree {
     for (; left != 0; left &= left - 1) {
       const std::uint32_t i = lowest(left), u = x * BoxBlock::width + i;
       unsigned lanes = b.meeting(a.box(i));
-      if (level == 1 && lanes != 0) lanes &= ~skip(u, y);
+      if (level == 1 && lanes != 0) lanes &= ~skip(u, y, lanes);
       for (; lanes != 0; lanes &= lanes - 1) {
         const std::uint32_t v = y * BoxBlock::width + lowest(lanes);
         if (level == 1)

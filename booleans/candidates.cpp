@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <bit>
 #include <cmath>
 
 #include "booleans/triangle_pair.h"
@@ -124,7 +125,7 @@ class NeighbourMask {
       }
   }
   /// The lanes of block b that are neighbours of the i-th triangle.
-  unsigned operator()(std::uint32_t i, std::uint32_t b) const {
+  unsigned operator()(std::uint32_t i, std::uint32_t b, unsigned) const {
     const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
     unsigned r = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -264,14 +265,23 @@ class BlockSlabs {
     }
     for (std::size_t b = 0; b < slabs_.size(); ++b) slabs_[b] = slab(b);
   }
-  /// Is the i-th face of the order strictly on one side of the slab of block b?
-  bool apart(std::uint32_t i, std::uint32_t b) {
+  /// The lanes of block b that cannot meet the i-th face of the order: all, when it lies strictly on one side of the
+  /// block's slab, else those strictly on one side of its own block's.
+  unsigned operator()(std::uint32_t i, std::uint32_t b, unsigned lanes) {
+    constexpr unsigned all = ~0u;
     const std::uint32_t own = i / BoxBlock::width;
     if (asked_ != std::array{own, b}) {
       asked_ = {own, b};
       bundles_apart_ = slabs_[own].is_bundle && slabs_[b].is_bundle && bundles_apart(own, b);
     }
-    return bundles_apart_ || slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal));
+    if (bundles_apart_ || slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal))) return all;
+    unsigned r = 0;
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      const Face& face = faces_[b * BoxBlock::width + lane];
+      r |= static_cast<unsigned>(slabs_[own].reach.apart(reach(face, slabs_[own].normal))) << lane;
+    }
+    return r;
   }
 
  private:
@@ -390,7 +400,7 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   const bool few = operands.bodies.size() <= Operands::few;
   const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
   BlockSlabs slabs(operands, tree.ids());
-  tree.foreign_pairs_but([&](std::uint32_t i, std::uint32_t b) { return slabs.apart(i, b) ? ~0u : 0u; }, sieve);
+  tree.foreign_pairs_but(slabs, sieve);
   return sieve.take();
 }
 
