@@ -43,13 +43,19 @@ class Sieve {
   std::vector<std::uint8_t> keep_;
 };
 
+/// The corners of a box that lie lowest and highest along a direction.
+std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box) {
+  std::array<exact::GridPoint, 2> r{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[0].c[k] = n[k] < 0 ? box.high[k] : box.low[k];
+    r[1].c[k] = n[k] < 0 ? box.low[k] : box.high[k];
+  }
+  return r;
+}
+
 /// Does the box lie strictly on one side of the plane?
 bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
-  exact::GridPoint lowest{}, highest{};  // along the normal
-  for (std::size_t k = 0; k < 3; ++k) {
-    lowest.c[k] = plane.n[k] < 0 ? box.high[k] : box.low[k];
-    highest.c[k] = plane.n[k] < 0 ? box.low[k] : box.high[k];
-  }
+  const auto [lowest, highest] = ends_along(plane.n, box);
   return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
 }
 
@@ -237,10 +243,6 @@ std::vector<BoxTree::Item> near_faces(const Operands& operands) {
   return faces;
 }
 
-}  // namespace
-
-namespace {
-
 /// How far a face reaches along a direction.
 struct Reach {
   std::int64_t low = INT64_MAX, high = INT64_MIN;
@@ -253,7 +255,8 @@ struct Reach {
 
 /// A slab around the eight faces of each block of a tree. Neighbours on a surface lie nearly in one plane, so the slab
 /// is thin, and a face strictly on one side of it meets none of the eight, however much the boxes overlap: those of
-/// long thin diagonal triangles do.
+/// long thin diagonal triangles do. Two bundles of such triangles that cross are also compared along the direction that
+/// is perpendicular to both. Directions come from doubles, what lies along them is exact: any direction is right.
 class BlockSlabs {
  public:
   BlockSlabs(const Operands& operands, const std::vector<std::uint32_t>& order)
@@ -261,7 +264,8 @@ class BlockSlabs {
     faces_.reserve(order.size());
     for (std::uint32_t id : order) {
       const auto [o, f] = operands.local(id);
-      faces_.push_back({operands.bodies[o], f});
+      const Body& body = *operands.bodies[o];
+      faces_.push_back({&body, f, f < body.triangles.size() ? Box{} : face_box(body, f)});
     }
     for (std::size_t b = 0; b < slabs_.size(); ++b) slabs_[b] = slab(b);
   }
@@ -296,6 +300,7 @@ class BlockSlabs {
   struct Face {
     const Body* body;
     std::uint32_t id;
+    Box box;  // of polygons
   };
 
   static std::int64_t value(const Normal& n, const exact::GridPoint& p) {
@@ -307,12 +312,7 @@ class BlockSlabs {
       for (const std::uint32_t v : f.body->triangles[f.id]) r.add(value(n, f.body->grid_points[v]));
       return r;
     }
-    const Box box = face_box(*f.body, f.id);
-    exact::GridPoint low{}, high{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      low.c[k] = n[k] < 0 ? box.high[k] : box.low[k];
-      high.c[k] = n[k] < 0 ? box.low[k] : box.high[k];
-    }
+    const auto [low, high] = ends_along(n, f.box);
     r.add(value(n, low));
     r.add(value(n, high));
     return r;
@@ -341,7 +341,7 @@ class BlockSlabs {
     for (std::size_t k = 0; k < 3; ++k) n[k] = longest > 0 ? static_cast<std::int64_t>(d[k] * size / longest) : 0;
     return n;
   }
-  /// Any direction is right; these make the slabs thin.
+  /// The directions in which eight neighbours are likely to be thin.
   Slab slab(std::size_t block) const {
     const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
     std::array<double, 3> sum{}, along{};

@@ -77,13 +77,16 @@ class Reduction {
 
   Result<Body> run() {
     drop_repeated_leaves();
-    for (double done = 0; find_groups(); done += (1 - done) / 2) {
+    double done = 0;
+    for (; find_groups(); done += (1 - done) / 2) {
       if (run_.stage) run_.stage("combine neighbours");
       if (run_.progress) run_.progress(done);
       if (auto combined = combine(); !combined) return combined.error();
       replace();
     }
-    return evaluate(operands_, expression_, run_);
+    Run rest = run_;
+    if (run_.progress) rest.progress = [&](double fraction) { run_.progress(done + (1 - done) * fraction); };
+    return evaluate(operands_, expression_, rest);
   }
 
  private:

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {
@@ -66,6 +69,27 @@ TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   booleans::Run run;
   run.stage = [](const char* name) { EXPECT_STRNE(name, "combine neighbours"); };
   EXPECT_EQ(sound(evaluate_in_parts(pointers, Expression::flat(Rule::any, 100), run)).face_count(), 1200u);
+}
+
+TEST(Parts, ProgressNeverGoesBackAndCancellingEndsIt) {
+  std::vector<Body> boxes;
+  for (std::int64_t i = 0; i < 64; ++i)
+    boxes.push_back(box({i % 4, i / 4 % 4, i / 16}, {i % 4 + 2, i / 4 % 4 + 2, i / 16 + 2}));
+  std::vector<const Body*> pointers;
+  for (const Body& b : boxes) pointers.push_back(&b);
+  std::vector<double> seen;
+  std::atomic<bool> cancel = false;
+  booleans::Run run;
+  run.cancel = &cancel;
+  run.progress = [&](double fraction) { seen.push_back(fraction); };
+  const Expression e = Expression::flat(Rule::any, 64);
+  EXPECT_TRUE(same(sound(evaluate_in_parts(pointers, e, run)), box({0, 0, 0}, {5, 5, 5})));
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.back(), 1.0);
+  cancel = true;
+  const auto result = evaluate_in_parts(pointers, e, run);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, "cancelled");
 }
 
 }  // namespace
