@@ -112,9 +112,7 @@ bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
     const std::size_t i = shared_a[0], j = shared_b[0];
     return meet(p[(i + 1) % 3], p[(i + 2) % 3], q) || meet(q[(j + 1) % 3], q[(j + 2) % 3], p);
   }
-  for (std::size_t i = 0; i < 3; ++i)
-    if (meet(p[i], p[(i + 1) % 3], q) || meet(q[i], q[(i + 1) % 3], p)) return true;
-  return false;
+  return meet(p, q);
 }
 
 /// Triangles that share a vertex whose star is embedded meet as they should: nearly all pairs are of this kind.

@@ -57,7 +57,7 @@ void Drawing::unite_equal_segments() {
 
 /// visit(i, j) for pairs of segments whose boxes meet, and visit(i, segment count + k) for points k near segment i.
 template <class Visit>
-void Drawing::close_pairs(Visit visit) {
+void Drawing::close_pairs(Visit visit) const {
   struct Extent {
     double ul, uh, vl, vh;
   };
@@ -142,7 +142,7 @@ void Drawing::split_pair(std::uint32_t s, std::uint32_t t) {
     outline_.splits.push_back({s, qa == 0 ? q.a : q.b});
     return;
   }
-  const auto crossing = exact::meet(planes_[plane_], planes_[p.line], planes_[q.line]);
+  const auto crossing = exact::meet(planes_[outline_.plane], planes_[p.line], planes_[q.line]);
   assert(crossing);
   const std::uint32_t name = static_cast<std::uint32_t>(outline_.new_points.size()) | local_bit;
   outline_.new_points.push_back(*crossing);
@@ -186,7 +186,7 @@ void Drawing::make_elements() {
   for (const Piece& p : pieces_) {
     if (elements_.empty() || elements_.back().a != p.a || elements_.back().b != p.b) {
       elements_.push_back({p.a, p.b, p.line});
-      direction_.push_back(frame_.direction(planes_[plane_], planes_[p.line]));
+      direction_.push_back(frame_.direction(planes_[outline_.plane], planes_[p.line]));
     }
     for (std::uint32_t c = change_start_[p.segment]; c < change_start_[p.segment + 1]; ++c)
       changes_.push_back(

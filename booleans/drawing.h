@@ -40,8 +40,14 @@ class Drawing {
   Drawing(const TouchedFaces& touched, const VertexTable& vertices, const PlaneTable& planes)
       : touched_(touched), vertices_(vertices), planes_(planes) {}
 
-  void begin(std::uint32_t plane) { begin_with(plane), outline_.clear(plane); }
-  void begin(Outline outline) { begin_with(outline.plane), outline_ = std::move(outline); }
+  void begin(std::uint32_t plane) {
+    outline_.clear(plane);
+    frame_ = Frame(planes_[plane]);
+  }
+  void begin(Outline outline) {
+    outline_ = std::move(outline);
+    frame_ = Frame(planes_[outline_.plane]);
+  }
   void add_face(std::uint32_t face);
   void add_segment(const SheetSegment& s);
   void add_point(std::uint32_t vertex) { outline_.points.push_back(vertex); }
@@ -61,10 +67,6 @@ class Drawing {
   };
   struct Lower;
 
-  void begin_with(std::uint32_t plane) {
-    plane_ = plane;
-    frame_ = Frame(planes_[plane]);
-  }
   bool before(std::uint32_t a, std::uint32_t b) const { return frame_.compare(vertices_, a, b) < 0; }
   int side(std::uint32_t v, std::uint32_t line) const {
     return vertices_.side(v, planes_[line], planes_.approximation(line));
@@ -73,7 +75,7 @@ class Drawing {
 
   void unite_equal_segments();
   template <class Visit>
-  void close_pairs(Visit visit);
+  void close_pairs(Visit visit) const;
   void split_pair(std::uint32_t s, std::uint32_t t);
   void split_collinear(std::uint32_t s, std::uint32_t t);
   void split_by_point(std::uint32_t s, std::uint32_t v);
@@ -100,7 +102,6 @@ class Drawing {
   const VertexTable& vertices_;
   const PlaneTable& planes_;
 
-  std::uint32_t plane_ = none;
   Frame frame_;
   Outline outline_;
   std::vector<Piece> pieces_;
