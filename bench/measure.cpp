@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/combine.h"
 #include "bench/workloads.h"
 #include "exact/counters.h"
 #include "examples/mesh_file.h"
@@ -26,6 +27,7 @@
 namespace {
 
 using namespace quoin;
+using bench::must;
 using bench::Operation;
 using bench::Workload;
 
@@ -71,13 +73,6 @@ Options watched(Clock& clock) {
   Options options = run_options;
   options.stage = [&clock](const char* name) { clock.begin(name); };
   return options;
-}
-
-template <class T>
-T must(Result<T> result) {
-  if (result) return std::move(result).value();
-  std::fprintf(stderr, "%s: %s\n", result.error().code.c_str(), result.error().message.c_str());
-  std::exit(1);
 }
 
 Solid import(const Mesh& mesh) {
@@ -154,19 +149,6 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
               volumes_add_up(result, 'd', s[0], all_of({s.begin() + 1, s.end()}))};
 }
 
-/// The result; `before` becomes the first operand of the last operation.
-Solid combine(Operation operation, const std::vector<Solid>& s, Solid& before) {
-  if (operation == Operation::unite) return boolean(all_of(s));
-  if (operation == Operation::intersect) return boolean(Expression::intersection_of({s.begin(), s.end()}));
-  if (operation == Operation::subtract) return boolean(Expression(s[0]) - all_of({s.begin() + 1, s.end()}));
-  Solid result = s[0];
-  for (std::size_t i = 1; i < s.size(); ++i) {
-    before = result;
-    result = boolean(operation == Operation::unite_each ? Expression(before) + s[i] : Expression(before) - s[i]);
-  }
-  return result;
-}
-
 int write(const Workload& w, std::size_t size, const std::string& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder + "/operation") << bench::name(w.operation) << "\n";
@@ -185,8 +167,11 @@ unsigned long long count(std::uint64_t n) { return n; }
 int run(const Workload& w, std::size_t size) {
   grid = must(Grid::with_step(w.step));
   const std::vector<Solid> solids = import(w.operands(size));
-  Solid before = solids[0];
-  const Solid result = combine(w.operation, solids, before);
+  Solid before, result = solids[0];  // of the last operation
+  bench::combine(bench::name(w.operation), solids, [&](const Expression& e) {
+    before = result;
+    return result = boolean(e);
+  });
   const long peak_mb = peak_now() / 1024;  // before the law is tried
   ExportReport report;
   const Mesh mesh =

@@ -1,0 +1,36 @@
+/// \file
+/// A workload's operation, done by Quoin.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quoin/quoin.h"
+
+namespace quoin::bench {
+
+/// The value; an error ends the program.
+template <class T>
+T must(Result<T> result) {
+  if (result) return std::move(result).value();
+  std::fprintf(stderr, "%s: %s\n", result.error().code.c_str(), result.error().message.c_str());
+  std::exit(1);
+}
+
+/// `operation` is a word of bench::name(Operation); evaluate(expression) gives the solid of each operation.
+/// Precondition: there are two operands at least.
+template <class Evaluate>
+Solid combine(const std::string& operation, const std::vector<Solid>& s, Evaluate evaluate) {
+  const std::vector<Expression> all(s.begin(), s.end()), rest(s.begin() + 1, s.end());
+  if (operation == "union") return evaluate(Expression::union_of(all));
+  if (operation == "intersection") return evaluate(Expression::intersection_of(all));
+  if (operation == "difference") return evaluate(all[0] - Expression::union_of(rest));
+  Solid result = s[0];
+  for (const Expression& next : rest) result = evaluate(operation == "unions" ? result + next : result - next);
+  return result;
+}
+
+}  // namespace quoin::bench
