@@ -14,6 +14,9 @@ namespace quoin::booleans {
 /// "No element" for every 32-bit index.
 inline constexpr std::uint32_t none = 0xFFFFFFFFu;
 
+/// Ids of two faces.
+using FaceIdPair = std::array<std::uint32_t, 2>;
+
 /// Faces of one tier that follow each other, each near those before it, in one box: what is far away is passed over by
 /// the chunk. Meshes come in some order that hangs together; where it jumps, a chunk ends.
 struct Chunk {

@@ -25,13 +25,13 @@ void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Item>& items, Order by) {
-  if (items.empty()) return;
+std::vector<BoxTree::Item> BoxTree::sorted(const std::vector<Item>& items, Order by) {
+  if (by == Order::as_given) return items;
   Box all;
   for (const Item& x : items) all.add(x.box);
   // 10 bits per axis of the doubled centre.
   std::array<int, 3> shift{};
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3 && !items.empty(); ++k) {
     std::uint64_t extent = 2 * static_cast<std::uint64_t>(std::int64_t{all.high[k]} - all.low[k]);
     while (extent >> shift[k] > 1023) ++shift[k];
   }
@@ -46,23 +46,32 @@ BoxTree::BoxTree(const std::vector<Item>& items, Order by) {
     order[i] = {key, i};
   }
   radix_sort(order);
+  std::vector<std::size_t> start(1);
   if (by == Order::by_group) {
-    std::vector<std::size_t> start(1);
     for (const Item& x : items) {
       start.resize(std::max<std::size_t>(start.size(), x.group + std::size_t{2}));
       ++start[x.group + 1];
     }
     for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
-    auto sorted = order;
-    for (const auto& x : order) sorted[start[items[x.second].group]++] = x;
-    order.swap(sorted);
   }
+  std::vector<Item> result(items.size());
+  for (const auto& o : order) {
+    const Item& x = items[o.second];
+    result[start[by == Order::by_group ? x.group : 0]++] = x;
+  }
+  return result;
+}
+
+BoxTree::BoxTree(const std::vector<Item>& given, Order order) {
+  if (given.empty()) return;
+  std::vector<Item> own;
+  if (order != Order::as_given) own = sorted(given, order);
+  const std::vector<Item>& items = order == Order::as_given ? given : own;
   ids_.reserve(items.size());
-  for (const auto& o : order) ids_.push_back(items[o.second].id);
+  for (const Item& x : items) ids_.push_back(x.id);
   levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made
   add_level(
-      items.size(), [&](std::size_t i) { return items[order[i].second].box; },
-      [&](std::size_t i) { return items[order[i].second].group; });
+      items.size(), [&](std::size_t i) { return items[i].box; }, [&](std::size_t i) { return items[i].group; });
   while (levels_.back().blocks.size() > 1) {
     const Level& below = levels_.back();
     const auto lanes = [&](std::size_t i) {

@@ -62,23 +62,33 @@ struct BoxBlock {
   }
 };
 
-/// Bit i: lane i is v.
-inline unsigned lanes_equal(const std::uint32_t* lanes, std::uint32_t v) {
+/// Pairs of a lane of one block and a lane of another: bit 8 i + j stands for the i-th and the j-th.
+using LanePairs = std::uint64_t;
+
+/// Bit i: lane i has one of the values in one of its lists.
+template <std::size_t N, std::size_t M>
+unsigned lanes_with(const std::array<const std::uint32_t*, N>& lists, const std::array<std::uint32_t, M>& values) {
   unsigned r = 0;
 #ifdef __SSE2__
-  const __m128i all = _mm_set1_epi32(static_cast<int>(v));
   for (std::size_t half = 0; half < BoxBlock::width; half += 4) {
-    const __m128i l = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&lanes[half]));
-    r |= static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(l, all)))) << half;
+    __m128i equal = _mm_setzero_si128();
+    for (std::size_t n = 0; n < N; ++n) {
+      const __m128i lanes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&lists[n][half]));
+      for (std::size_t m = 0; m < M; ++m)
+        equal = _mm_or_si128(equal, _mm_cmpeq_epi32(lanes, _mm_set1_epi32(static_cast<int>(values[m]))));
+    }
+    r |= static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(equal))) << half;
   }
 #else
-  for (std::size_t i = 0; i < BoxBlock::width; ++i) r |= static_cast<unsigned>(lanes[i] == v) << i;
+  for (const std::uint32_t v : values)
+    for (const std::uint32_t* list : lists)
+      for (std::size_t i = 0; i < BoxBlock::width; ++i) r |= static_cast<unsigned>(list[i] == v) << i;
 #endif
   return r;
 }
 
-/// A static box hierarchy: items in Morton order of their centres, in blocks of eight, under a tree of such blocks.
-/// Every item carries a group. Visiting order is deterministic.
+/// A static box hierarchy: items in blocks of eight, under a tree of such blocks. Every item carries a group. Visiting
+/// order is deterministic.
 class BoxTree {
  public:
   struct Item {
@@ -88,37 +98,54 @@ class BoxTree {
   };
 
   enum class Order {
-    by_place,  // neighbours of all groups together
-    by_group   // the groups (small numbers) one after the other: blocks hold one each, but where a group ends
+    as_given,
+    by_place,  // Morton order of the centres: neighbours of all groups together
+    by_group   // the groups (small numbers) one after the other, each by place
   };
+  static std::vector<Item> sorted(const std::vector<Item>& items, Order order);
 
   explicit BoxTree(const std::vector<Item>& items, Order order = Order::by_place);
 
   /// Ids in the tree's order: block b holds those from 8 b to 8 b + 7.
   const std::vector<std::uint32_t>& ids() const { return ids_; }
+  /// The box of the i-th item in the tree's order.
+  Box box(std::uint32_t i) const { return levels_[0].blocks[i / BoxBlock::width].box(i % BoxBlock::width); }
 
+  enum class Pairs {
+    all,
+    foreign  // of items of different groups
+  };
+  /// visit(x, y), x <= y, for blocks of items whose boxes meet; among them are all that hold such pairs, each once.
+  template <class Visit>
+  void block_pairs(Pairs wanted, Visit&& visit) const {
+    if (!levels_.empty()) self(levels_.size() - 1, 0, wanted, visit);
+  }
+  /// The pairs of an item of block x and one of block y, x <= y, whose boxes meet, each pair once.
+  LanePairs lane_pairs(Pairs wanted, std::uint32_t x, std::uint32_t y) const {
+    const BoxBlock &a = levels_[0].blocks[x], &b = levels_[0].blocks[y];
+    unsigned rows = (1u << BoxBlock::width) - 1;
+    if (levels_.size() > 1) rows = a.meeting(levels_[1].blocks[y / BoxBlock::width].box(y % BoxBlock::width));
+    const auto& groups = levels_[0].group;
+    LanePairs pairs = 0;
+    for (; rows != 0; rows &= rows - 1) {
+      const std::uint32_t i = lowest(rows);
+      unsigned row = b.meeting(a.box(i));
+      if (x == y) row &= ~1u << i;
+      if (wanted == Pairs::foreign && row != 0)
+        row &= ~lanes_with(std::array{&groups[y * BoxBlock::width]}, std::array{groups[x * BoxBlock::width + i]});
+      pairs |= LanePairs{row} << (BoxBlock::width * i);
+    }
+    return pairs;
+  }
   /// visit(id, id') for every pair of items whose boxes meet, each pair once.
   template <class Visit>
-  void pairs(Visit&& visit) const {
-    pairs_but([](std::uint32_t, std::uint32_t, unsigned) { return 0u; }, visit);
-  }
-  /// The same, leaving out what `skip(i, b, lanes)` says: a bit for each item of block b that is not wanted with the
-  /// i-th item of the tree's order; only those of `lanes` matter.
-  template <class Skip, class Visit>
-  void pairs_but(Skip&& skip, Visit&& visit) const {
-    const auto all = [](std::uint32_t, std::uint32_t) { return false; };
-    if (!levels_.empty()) self(levels_.size() - 1, 0, all, skip, visit);
-  }
-  /// The same for pairs of items of different groups; `skip` as above.
-  template <class Skip, class Visit>
-  void foreign_pairs_but(Skip&& skip, Visit&& visit) const {
-    const auto same = [](std::uint32_t g, std::uint32_t h) { return g == h && g != mixed; };
-    const auto skip_more = [&](std::uint32_t i, std::uint32_t b, unsigned lanes) {
-      const auto& groups = levels_[0].group;
-      const unsigned own = lanes_equal(&groups[b * BoxBlock::width], groups[i]);
-      return (lanes & ~own) == 0 ? own : own | skip(i, b, lanes & ~own);
-    };
-    if (!levels_.empty()) self(levels_.size() - 1, 0, same, skip_more, visit);
+  void pairs(Visit&& visit, Pairs wanted = Pairs::all) const {
+    block_pairs(wanted, [&](std::uint32_t x, std::uint32_t y) {
+      for (LanePairs left = lane_pairs(wanted, x, y); left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+        visit(ids_[x * BoxBlock::width + lane / BoxBlock::width], ids_[y * BoxBlock::width + lane % BoxBlock::width]);
+      }
+    });
   }
 
   /// visit(id) for every item whose box meets the given one, which the visitor may shrink; boxes that reach further up
@@ -150,41 +177,37 @@ class BoxTree {
     }
   }
 
-  template <class Same, class Skip, class Visit>
-  void self(std::size_t level, std::uint32_t b, Same& same, Skip& skip, Visit& visit) const {
-    const BoxBlock& block = levels_[level].blocks[b];
-    for (std::uint32_t i = 0; i < BoxBlock::width; ++i) {
-      const std::uint32_t x = b * BoxBlock::width + i;
-      if (x >= levels_[level].count) break;
-      unsigned lanes = block.meeting(block.box(i)) & (~1u << i);
-      if (level == 0) {
-        if (lanes != 0) lanes &= ~skip(x, b, lanes);
-        for (; lanes != 0; lanes &= lanes - 1) visit(ids_[x], ids_[b * BoxBlock::width + lowest(lanes)]);
-        continue;
-      }
-      if (!same(levels_[level].group[x], levels_[level].group[x])) self(level - 1, x, same, skip, visit);
-      for (; lanes != 0; lanes &= lanes - 1) cross(level, x, b * BoxBlock::width + lowest(lanes), same, skip, visit);
+  /// Are all items below two lanes of one group, and pairs within a group not wanted?
+  static bool idle(Pairs wanted, std::uint32_t g, std::uint32_t h) {
+    return wanted == Pairs::foreign && g == h && g != mixed;
+  }
+
+  /// The pairs of items below one block of a level.
+  template <class Visit>
+  void self(std::size_t level, std::uint32_t b, Pairs wanted, Visit& visit) const {
+    if (level == 0) return visit(b, b);
+    const Level& here = levels_[level];
+    const BoxBlock& block = here.blocks[b];
+    const std::uint32_t begin = b * BoxBlock::width, end = std::min(begin + BoxBlock::width, here.count);
+    for (std::uint32_t x = begin; x < end; ++x) {
+      if (!idle(wanted, here.group[x], here.group[x])) self(level - 1, x, wanted, visit);
+      for (unsigned left = block.meeting(block.box(x - begin)) & (~1u << (x - begin)); left != 0; left &= left - 1)
+        cross(level, x, begin + lowest(left), wanted, visit);
     }
   }
 
   /// Lanes x and y of a level, whose boxes meet: the pairs between the blocks that they stand for.
-  template <class Same, class Skip, class Visit>
-  void cross(std::size_t level, std::uint32_t x, std::uint32_t y, Same& same, Skip& skip, Visit& visit) const {
+  template <class Visit>
+  void cross(std::size_t level, std::uint32_t x, std::uint32_t y, Pairs wanted, Visit& visit) const {
     const Level& here = levels_[level];
-    if (same(here.group[x], here.group[y])) return;
+    if (idle(wanted, here.group[x], here.group[y])) return;
+    if (level == 1) return visit(x, y);
     const BoxBlock &a = levels_[level - 1].blocks[x], &b = levels_[level - 1].blocks[y];
-    unsigned left = a.meeting(here.blocks[y / BoxBlock::width].box(y % BoxBlock::width));
-    for (; left != 0; left &= left - 1) {
-      const std::uint32_t i = lowest(left), u = x * BoxBlock::width + i;
-      unsigned lanes = b.meeting(a.box(i));
-      if (level == 1 && lanes != 0) lanes &= ~skip(u, y, lanes);
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const std::uint32_t v = y * BoxBlock::width + lowest(lanes);
-        if (level == 1)
-          visit(ids_[u], ids_[v]);
-        else
-          cross(level - 1, u, v, same, skip, visit);
-      }
+    for (unsigned left = a.meeting(here.blocks[y / BoxBlock::width].box(y % BoxBlock::width)); left != 0;
+         left &= left - 1) {
+      const std::uint32_t i = lowest(left);
+      for (unsigned lanes = b.meeting(a.box(i)); lanes != 0; lanes &= lanes - 1)
+        cross(level - 1, x * BoxBlock::width + i, y * BoxBlock::width + lowest(lanes), wanted, visit);
     }
   }
 

@@ -1,57 +1,10 @@
 #include "booleans/candidates.h"
 
-#include <tbb/parallel_for.h>
-
-#include <bit>
-#include <cmath>
-
+#include "booleans/pair_search.h"
 #include "booleans/triangle_pair.h"
 
 namespace quoin::booleans {
 namespace {
-
-/// Collects the pairs that `wanted(pair)` accepts, in order, testing many at a time in parallel.
-template <class Wanted>
-class Sieve {
- public:
-  explicit Sieve(Wanted wanted) : wanted_(wanted) {}
-  void operator()(std::uint32_t f, std::uint32_t g) {
-    waiting_.push_back({std::min(f, g), std::max(f, g)});
-    if (waiting_.size() == most) test();
-  }
-  std::vector<FaceIdPair> take() {
-    test();
-    return std::move(found_);
-  }
-
- private:
-  static constexpr std::size_t most = std::size_t{1} << 19, chunk = 1024;
-
-  void test() {
-    keep_.resize(waiting_.size());
-    tbb::parallel_for(std::size_t{0}, (waiting_.size() + chunk - 1) / chunk, [&](std::size_t c) {
-      for (std::size_t i = c * chunk; i < std::min(waiting_.size(), (c + 1) * chunk); ++i)
-        keep_[i] = wanted_(waiting_[i]);
-    });
-    for (std::size_t i = 0; i < waiting_.size(); ++i)
-      if (keep_[i]) found_.push_back(waiting_[i]);
-    waiting_.clear();
-  }
-
-  Wanted wanted_;
-  std::vector<FaceIdPair> waiting_, found_;
-  std::vector<std::uint8_t> keep_;
-};
-
-/// The corners of a box that lie lowest and highest along a direction.
-std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box) {
-  std::array<exact::GridPoint, 2> r{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    r[0].c[k] = n[k] < 0 ? box.high[k] : box.low[k];
-    r[1].c[k] = n[k] < 0 ? box.low[k] : box.high[k];
-  }
-  return r;
-}
 
 /// Does the box lie strictly on one side of the plane?
 bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
@@ -131,10 +84,9 @@ class NeighbourMask {
   /// The lanes of block b that are neighbours of the i-th triangle.
   unsigned operator()(std::uint32_t i, std::uint32_t b, unsigned) const {
     const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
-    unsigned r = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t m = 0; m < 3; ++m) r |= lanes_equal(others[m].data(), own[k][i % BoxBlock::width]);
-    return r;
+    const std::size_t lane = i % BoxBlock::width;
+    return lanes_with(std::array{others[0].data(), others[1].data(), others[2].data()},
+                      std::array{own[0][lane], own[1][lane], own[2][lane]});
   }
 
  private:
@@ -224,192 +176,68 @@ void keep_near(std::vector<BoxTree::Item>& items, std::size_t work) {
   std::erase_if(items, [&](const BoxTree::Item& i) { return !cells.keeps(i.box); });
 }
 
-/// The faces that may meet a foreign one, with their boxes, in order; first whole chunks are dropped.
-std::vector<BoxTree::Item> near_faces(const Operands& operands) {
-  std::vector<BoxTree::Item> chunks, faces;
+}  // namespace
+
+std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
+  std::vector<BoxTree::Item> chunks;
   for (std::uint32_t i = 0; i < operands.chunks.size(); ++i)
     if (const OperandChunk& c = operands.chunks[i]; !c.far) chunks.push_back({c.box, i, c.operand});
   keep_near(chunks, operands.face_count());
+  std::vector<BoxTree::Item> items;
   for (const BoxTree::Item& item : chunks) {
     const OperandChunk& c = operands.chunks[item.id];
     for (std::uint32_t f = c.begin; f < c.end; ++f) {
       const Box box = face_box(*operands.bodies[c.operand], f - operands.base[c.operand]);
-      if (operands.may_be_near(c.operand, box)) faces.push_back({box, f, c.operand});
+      if (operands.may_be_near(c.operand, box)) items.push_back({box, f, c.operand});
     }
   }
-  keep_near(faces, 4 * faces.size());
-  return faces;
+  keep_near(items, 8 * items.size());
+  const bool few = operands.bodies.size() <= Operands::few;
+  const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
+  std::vector<SearchedFace> faces;
+  faces.reserve(items.size());
+  for (const std::uint32_t id : tree.ids()) {
+    const auto [o, f] = operands.local(id);
+    faces.push_back({operands.bodies[o], f, id});
+  }
+  const auto apart = [&](std::uint32_t i, std::uint32_t j) {
+    const exact::Plane plane = faces[i].body->sign_plane(faces[i].face);
+    return faces[j].corner_count() > TouchedFaces::large ? strictly_on_one_side(plane, tree.box(j))
+                                                         : strictly_on_one_side(plane, *faces[j].body, faces[j].face);
+  };
+  const auto may_meet = [&](std::uint32_t i, std::uint32_t j) {
+    if (faces[i].is_raw() && faces[j].is_raw())
+      return meet(triangle(*faces[i].body, faces[i].face), triangle(*faces[j].body, faces[j].face));
+    return !apart(i, j) && !apart(j, i);
+  };
+  return PairSearch(faces, tree, skip_nothing, may_meet).run(BoxTree::Pairs::foreign);
 }
 
-/// How far a face reaches along a direction.
-struct Reach {
-  std::int64_t low = INT64_MAX, high = INT64_MIN;
-  void add(std::int64_t x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  bool apart(const Reach& r) const { return high < r.low || r.high < low; }
-};
+namespace {
 
-/// A slab around the eight faces of each block of a tree. Neighbours on a surface lie nearly in one plane, so the slab
-/// is thin, and a face strictly on one side of it meets none of the eight, however much the boxes overlap: those of
-/// long thin diagonal triangles do. Two bundles of such triangles that cross are also compared along the direction that
-/// is perpendicular to both. Directions come from doubles, what lies along them is exact: any direction is right.
-class BlockSlabs {
- public:
-  BlockSlabs(const Operands& operands, const std::vector<std::uint32_t>& order)
-      : slabs_((order.size() + BoxBlock::width - 1) / BoxBlock::width) {
-    faces_.reserve(order.size());
-    for (std::uint32_t id : order) {
-      const auto [o, f] = operands.local(id);
-      const Body& body = *operands.bodies[o];
-      faces_.push_back({&body, f, f < body.triangles.size() ? Box{} : face_box(body, f)});
-    }
-    for (std::size_t b = 0; b < slabs_.size(); ++b) slabs_[b] = slab(b);
+/// All faces of a body, and a tree over them.
+struct OwnFaces {
+  explicit OwnFaces(const Body& body) : tree(items(body)) {
+    for (const std::uint32_t f : tree.ids()) faces.push_back({&body, f, f});
   }
-  /// The lanes of block b that cannot meet the i-th face of the order: all, when it lies strictly on one side of the
-  /// block's slab, else those strictly on one side of its own block's.
-  unsigned operator()(std::uint32_t i, std::uint32_t b, unsigned lanes) {
-    constexpr unsigned all = ~0u;
-    const std::uint32_t own = i / BoxBlock::width;
-    if (asked_ != std::array{own, b}) {
-      asked_ = {own, b};
-      bundles_apart_ = slabs_[own].is_bundle && slabs_[b].is_bundle && bundles_apart(own, b);
-    }
-    if (bundles_apart_ || slabs_[b].reach.apart(reach(faces_[i], slabs_[b].normal))) return all;
-    unsigned r = 0;
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      const Face& face = faces_[b * BoxBlock::width + lane];
-      r |= static_cast<unsigned>(slabs_[own].reach.apart(reach(face, slabs_[own].normal))) << lane;
-    }
+  static std::vector<BoxTree::Item> items(const Body& body) {
+    std::vector<BoxTree::Item> r(body.face_count());
+    for (std::uint32_t f = 0; f < r.size(); ++f) r[f] = {face_box(body, f), f, f};
     return r;
   }
-
- private:
-  // Components below 2^30 and coordinates up to 2^29 + 1 make values below 2^61: all exact.
-  using Normal = std::array<std::int64_t, 3>;
-  struct Slab {
-    Normal normal;
-    Reach reach;
-    Normal along;    // of the longest edge of a triangle, components below 2^14
-    bool is_bundle;  // the triangles are long and thin
-  };
-  struct Face {
-    const Body* body;
-    std::uint32_t id;
-    Box box;  // of polygons
-  };
-
-  static std::int64_t value(const Normal& n, const exact::GridPoint& p) {
-    return n[0] * p.c[0] + n[1] * p.c[1] + n[2] * p.c[2];
-  }
-  static Reach reach(const Face& f, const Normal& n) {
-    Reach r;
-    if (f.id < f.body->triangles.size()) {
-      for (const std::uint32_t v : f.body->triangles[f.id]) r.add(value(n, f.body->grid_points[v]));
-      return r;
-    }
-    const auto [low, high] = ends_along(n, f.box);
-    r.add(value(n, low));
-    r.add(value(n, high));
-    return r;
-  }
-  Reach reach(std::size_t block, const Normal& n) const {
-    Reach r;
-    const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
-    for (std::size_t i = begin; i < end; ++i) {
-      const Reach own = reach(faces_[i], n);
-      r.add(own.low);
-      r.add(own.high);
-    }
-    return r;
-  }
-  /// Components below 2 * 2^28.
-  bool bundles_apart(std::size_t a, std::size_t b) const {
-    const Normal &u = slabs_[a].along, &v = slabs_[b].along;
-    Normal n{};
-    for (std::size_t k = 0; k < 3; ++k) n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-    return reach(a, n).apart(reach(b, n));
-  }
-  /// In the direction of d, components at most `size`.
-  static Normal scaled(const std::array<double, 3>& d, int size) {
-    const double longest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
-    Normal n{};
-    for (std::size_t k = 0; k < 3; ++k) n[k] = longest > 0 ? static_cast<std::int64_t>(d[k] * size / longest) : 0;
-    return n;
-  }
-  /// The directions in which eight neighbours are likely to be thin.
-  Slab slab(std::size_t block) const {
-    const std::size_t begin = block * BoxBlock::width, end = std::min(begin + BoxBlock::width, faces_.size());
-    std::array<double, 3> sum{}, along{};
-    double area = 0, longest = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Body& body = *faces_[i].body;
-      const exact::Plane p = body.sign_plane(faces_[i].id);
-      const std::array<double, 3> normal{double(p.n[0]), double(p.n[1]), double(p.n[2])};
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];
-      area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-      if (faces_[i].id >= body.triangles.size()) {
-        area = HUGE_VAL;  // of triangles only
-        continue;
-      }
-      const auto& t = body.triangles[faces_[i].id];
-      for (std::size_t c = 0; c < 3; ++c) {
-        std::array<double, 3> e{};
-        for (std::size_t k = 0; k < 3; ++k)
-          e[k] = double(body.grid_points[t[c]].c[k]) - double(body.grid_points[t[(c + 1) % 3]].c[k]);
-        const double length = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
-        if (length > longest) longest = length, along = e;
-      }
-    }
-    Slab s{scaled(sum, (1 << 30) - 1), {}, scaled(along, (1 << 14) - 1), 4 * area < longest};
-    s.reach = reach(block, s.normal);
-    return s;
-  }
-
-  std::vector<Face> faces_;  // in the tree's order
-  std::vector<Slab> slabs_;
-  std::array<std::uint32_t, 2> asked_{none, none};  // the last two blocks
-  bool bundles_apart_ = false;
+  BoxTree tree;
+  std::vector<SearchedFace> faces;
 };
 
 }  // namespace
 
-std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
-  const std::vector<BoxTree::Item> items = near_faces(operands);
-  const auto box_of = [&](std::uint32_t face) -> const Box& {  // items are in the order of their ids
-    return std::lower_bound(items.begin(), items.end(), face,
-                            [](const BoxTree::Item& i, std::uint32_t id) { return i.id < id; })
-        ->box;
-  };
-  const auto apart = [&](const Body& body, std::uint32_t f, const Body& other, std::uint32_t g, std::uint32_t id) {
-    const exact::Plane plane = body.sign_plane(f);
-    return other.corner_count(g) > TouchedFaces::large ? strictly_on_one_side(plane, box_of(id))
-                                                       : strictly_on_one_side(plane, other, g);
-  };
-  Sieve sieve([&](const FaceIdPair& pair) {
-    const auto [o, f] = operands.local(pair[0]);
-    const auto [p, g] = operands.local(pair[1]);
-    const Body &a = *operands.bodies[o], &b = *operands.bodies[p];
-    if (f < a.triangles.size() && g < b.triangles.size()) return meet(triangle(a, f), triangle(b, g));
-    return !apart(a, f, b, g, pair[1]) && !apart(b, g, a, f, pair[0]);
-  });
-  const bool few = operands.bodies.size() <= Operands::few;
-  const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
-  BlockSlabs slabs(operands, tree.ids());
-  tree.foreign_pairs_but(slabs, sieve);
-  return sieve.take();
-}
-
 std::vector<FaceIdPair> improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
-  std::vector<BoxTree::Item> items(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {face_box(mesh, t), t, t};
-  Sieve sieve([&](const FaceIdPair& pair) { return improper(mesh, pair[0], pair[1]); });
-  const BoxTree tree(items);
-  const NeighbourMask neighbours(mesh, star_of, tree.ids());
-  tree.pairs_but(neighbours, sieve);
-  return sieve.take();
+  const OwnFaces own(mesh);
+  const NeighbourMask neighbours(mesh, star_of, own.tree.ids());
+  const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
+    return improper(mesh, own.faces[i].face, own.faces[j].face);
+  };
+  return PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
 }
 
 namespace {
@@ -484,13 +312,16 @@ class Prover {
 
 std::vector<FaceIdPair> doubtful_pairs(const Body& body) {
   const Prover prover(body);
-  std::vector<BoxTree::Item> items(body.face_count());
-  for (std::uint32_t f = 0; f < items.size(); ++f) items[f] = {face_box(body, f), f, f};
-  Sieve sieve([&](const FaceIdPair& pair) { return pair[0] == pair[1] || !prover.proper(pair[0], pair[1]); });
-  for (std::uint32_t f = 0; f < items.size(); ++f)
-    if (prover.many_corners(f)) sieve(f, f);
-  BoxTree(items).pairs(sieve);
-  return sieve.take();
+  std::vector<FaceIdPair> found;
+  for (std::uint32_t f = 0; f < body.face_count(); ++f)
+    if (prover.many_corners(f)) found.push_back({f, f});
+  const OwnFaces own(body);
+  const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
+    return !prover.proper(own.faces[i].face, own.faces[j].face);
+  };
+  const auto others = PairSearch(own.faces, own.tree, skip_nothing, wanted).run(BoxTree::Pairs::all);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
 }
 
 }  // namespace quoin::booleans

@@ -93,9 +93,6 @@ struct TouchedFaces {
   std::vector<std::unique_ptr<BoxTree>> edge_tree;  // per face, items are indices into edges; null for small faces
 };
 
-/// Pairs of global face ids.
-using FaceIdPair = std::array<std::uint32_t, 2>;
-
 /// The faces of the pairs, with all triangles that are coplanar and connected with them.
 TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdPair>& near, VertexTable& vertices,
                              PlaneTable& planes);

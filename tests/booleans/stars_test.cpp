@@ -144,7 +144,7 @@ TEST(BoxTree, FindsThePairsThatBoxesHave) {
     };
     std::multiset<std::array<std::uint32_t, 2>> found, found_foreign;
     tree.pairs(collect(found));
-    tree.foreign_pairs_but([](std::uint32_t, std::uint32_t, unsigned) { return 0u; }, collect(found_foreign));
+    tree.pairs(collect(found_foreign), BoxTree::Pairs::foreign);
     EXPECT_TRUE(std::equal(all.begin(), all.end(), found.begin(), found.end()));
     EXPECT_TRUE(std::equal(foreign.begin(), foreign.end(), found_foreign.begin(), found_foreign.end()));
     for (int i = 0; i < 5 && !items.empty(); ++i) {

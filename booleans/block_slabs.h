@@ -1,0 +1,80 @@
+/// \file
+/// Slabs around blocks of eight faces: what tells long thin faces apart whose boxes all overlap.
+#pragma once
+
+#include "booleans/box_tree.h"
+
+namespace quoin::booleans {
+
+/// A face that takes part in a search; pairs name it by `id`.
+struct SearchedFace {
+  const Body* body;
+  std::uint32_t face;  // its own id in the body
+  std::uint32_t id;
+
+  bool is_raw() const { return face < body->triangles.size(); }
+  std::uint32_t corner_count() const { return body->corner_count(face); }
+};
+
+/// A slab around the eight faces of a block of a tree. Neighbours on a surface lie nearly in one plane, so the slab is
+/// thin, and a face strictly on one side of it meets none of the eight, however much the boxes overlap: those of long
+/// thin diagonal triangles do. Two bundles of such triangles that cross are also compared along the direction that is
+/// perpendicular to both. Directions come from doubles, what lies along them is exact: any direction is right, a good
+/// one makes the slab thin.
+class BlockSlabs {
+ public:
+  /// The faces in the tree's order. Both must outlive it.
+  BlockSlabs(const std::vector<SearchedFace>& faces, const BoxTree& tree)
+      : faces_(faces), tree_(tree), slab_of_((faces.size() + BoxBlock::width - 1) / BoxBlock::width, none) {}
+
+  /// Makes the slab of a block if it has none.
+  void need(std::uint32_t block) {
+    if (slab_of_[block] != none) return;
+    slab_of_[block] = static_cast<std::uint32_t>(slabs_.size());
+    slabs_.push_back(slab(block));
+  }
+  /// The pairs that cannot meet, perhaps among others than the given ones. Precondition: both blocks have slabs.
+  LanePairs apart(std::uint32_t x, std::uint32_t y) const;
+
+ private:
+  // Components below 2^30 and coordinates up to 2^29 + 1 make values below 2^61: all exact.
+  using Normal = std::array<std::int64_t, 3>;
+  /// How far faces reach along a direction.
+  struct Reach {
+    std::int64_t low = INT64_MAX, high = INT64_MIN;
+    void add(std::int64_t x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    void add(const Reach& r) {
+      low = std::min(low, r.low);
+      high = std::max(high, r.high);
+    }
+    bool apart(const Reach& r) const { return high < r.low || r.high < low; }
+  };
+  struct Slab {
+    Normal normal;
+    Reach reach;
+    Normal along;    // of the longest edge of a triangle, components below 2^14
+    bool is_bundle;  // the triangles are long and thin
+  };
+
+  std::uint32_t begin(std::uint32_t block) const { return block * BoxBlock::width; }
+  std::uint32_t end(std::uint32_t block) const {
+    return std::min(begin(block) + BoxBlock::width, static_cast<std::uint32_t>(faces_.size()));
+  }
+  Reach reach(std::uint32_t face, const Normal& n) const;
+  Reach block_reach(std::uint32_t block, const Normal& n) const;
+  bool bundles_apart(std::uint32_t x, std::uint32_t y) const;
+  Slab slab(std::uint32_t block) const;
+
+  const std::vector<SearchedFace>& faces_;
+  const BoxTree& tree_;
+  std::vector<std::uint32_t> slab_of_;
+  std::vector<Slab> slabs_;
+};
+
+/// The corners of a box that lie lowest and highest along a direction.
+std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box);
+
+}  // namespace quoin::booleans
