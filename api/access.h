@@ -45,11 +45,11 @@ struct Access {
   static Solid solid(const Grid& grid, std::shared_ptr<const booleans::Body> body) {
     return Solid(grid, std::move(body));
   }
-  static Solid solid(const Grid& grid, booleans::Body&& body) {
-    return Solid(grid, std::make_shared<const booleans::Body>(std::move(body)));
-  }
-  /// A solid without a body (empty by default, or moved from) has the empty one.
+  static Solid solid(const Grid& grid, booleans::Body&& body);
+  /// A packed body. A solid without one (empty by default, or moved from) has the empty one.
   static const booleans::Body& body(const Solid& solid);
+  /// The same, perhaps patched: to be evaluated.
+  static const booleans::Body& operand(const Solid& solid);
   /// Equal identities are equal bodies; nullptr is the empty one.
   static const booleans::Body* identity(const Solid& solid) { return solid.body_.get(); }
 

@@ -115,9 +115,9 @@ class Mover {
 /// Grid points stay grid points: the body keeps its shape.
 Fault move_body(const Map& map, Body& body) {
   Mover mover(map);
-  for (auto& p : body.grid_points) p = mover.grid_point(p);
-  for (auto& p : body.points) p = mover.point(p);
-  for (auto& p : body.planes) p = mover.plane(p);
+  for (auto& p : body.grid_points.edit()) p = mover.grid_point(p);
+  for (auto& p : body.points.edit()) p = mover.point(p);
+  for (auto& p : body.planes.edit()) p = mover.plane(p);
   return mover.fault();
 }
 

@@ -133,7 +133,7 @@ Result<Solid> evaluate_here(const Expression& expression, const Options& options
   if (is_identity(f.expression)) return f.solids[f.expression.nodes[0].operand];
 
   std::vector<const Body*> operands;
-  for (const Solid& solid : f.solids) operands.push_back(&Access::body(solid));
+  for (const Solid& solid : f.solids) operands.push_back(&Access::operand(solid));
   std::vector<Body> storage;
   if (!f.half_spaces.empty()) {
     const auto planes = planes_of(f, Access::lattice(grid));
@@ -157,7 +157,7 @@ Result<Solid> operated(Expression (*combine)(std::vector<Expression>), const std
 Result<Solid> evaluate_flat(Rule rule, const std::vector<const Solid*>& solids, std::uint32_t negated_from,
                             const Options& options) {
   std::vector<const Body*> operands;
-  for (const Solid* solid : solids) operands.push_back(&Access::body(*solid));
+  for (const Solid* solid : solids) operands.push_back(&Access::operand(*solid));
   const auto expression = booleans::Expression::flat(rule, static_cast<std::uint32_t>(solids.size()), negated_from);
   auto result = booleans::evaluate_in_parts(operands, expression, run_of(options));
   if (!result) return result.error();

@@ -32,8 +32,7 @@ std::vector<double> rounded_points(const Body& body, const grid::Lattice& lattic
       const std::uint32_t v = source[i];
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
-        points[3 * i + k] = body.is_grid(v) ? round(body.grid_points[v][axis], axis)
-                                            : round(body.points[v - body.grid_points.size()], axis);
+        points[3 * i + k] = body.is_grid(v) ? round(body.grid_points[v][axis], axis) : round(body.derived(v), axis);
       }
     }
   });
@@ -121,7 +120,7 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
 
 Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report) const {
   if (report) *report = {};
-  const Body& body = Access::body(*this);
+  const Body& body = Access::operand(*this);
   if (body.full_at_infinity)
     return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
   Triangulated mesh = booleans::triangulated(body);
@@ -137,7 +136,10 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   if (report) {
     // Raw triangles come first.
     const bool exact = !options.float32 && grid::Rounder(Access::lattice(*this)).is_exact();
-    const Effects effects = count_effects(body, mesh, out.points, exact ? body.triangles.size() : 0);
+    const auto raw = std::partition_point(mesh.face.begin(), mesh.face.end(),
+                                          [&](std::uint32_t f) { return f < body.triangles.size(); });
+    const Effects effects =
+        count_effects(body, mesh, out.points, exact ? static_cast<std::size_t>(raw - mesh.face.begin()) : 0);
     *report = {mesh.triangles.size(), effects.flipped, effects.collapsed,
                grid::is_balanced(mesh.triangles, mesh.source.size())};
   }

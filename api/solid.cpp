@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 #include "api/access.h"
@@ -16,9 +17,34 @@ using booleans::Body;
 using booleans::Rule;
 using exact::Rational;
 
-const Body& Access::body(const Solid& solid) {
+namespace {
+
+/// A patched body, packed when that is first needed.
+struct Patched : Body {
+  explicit Patched(Body&& body) : Body(std::move(body)) {}
+  const Body& packed() const {
+    std::call_once(once, [&] { twin = booleans::packed(*this); });
+    return twin;
+  }
+  mutable std::once_flag once;
+  mutable Body twin;
+};
+
+}  // namespace
+
+Solid Access::solid(const Grid& grid, Body&& body) {
+  if (body.is_packed) return Solid(grid, std::make_shared<const Body>(std::move(body)));
+  return Solid(grid, std::make_shared<const Patched>(std::move(body)));
+}
+
+const Body& Access::operand(const Solid& solid) {
   static const Body empty;
   return solid.body_ ? *solid.body_ : empty;
+}
+
+const Body& Access::body(const Solid& solid) {
+  const Body& body = operand(solid);
+  return body.is_packed ? body : static_cast<const Patched&>(body).packed();
 }
 
 Solid::Solid() = default;
@@ -40,11 +66,11 @@ Solid Solid::full(const Grid& grid) {
 const Grid& Solid::grid() const { return grid_; }
 
 bool Solid::is_empty() const {
-  const Body& body = Access::body(*this);
+  const Body& body = Access::operand(*this);
   return body.face_count() == 0 && !body.full_at_infinity;
 }
 
-bool Solid::is_bounded() const { return !Access::body(*this).full_at_infinity; }
+bool Solid::is_bounded() const { return !Access::operand(*this).full_at_infinity; }
 
 std::optional<std::string> Solid::volume() const {
   if (!is_bounded()) return std::nullopt;

@@ -8,7 +8,7 @@ namespace quoin::booleans {
 Adjacency::Adjacency(const Body& body) : body_(body), start_(body.grid_points.size() + 2) {
   edges_.reserve(2 * body.corners.size());
   const Chunk all{0, static_cast<std::uint32_t>(body.face_count()), {}};
-  index({&all, 1});
+  index(body.is_packed ? std::span(&all, 1) : std::span<const Chunk>(body.chunks));
 }
 
 Adjacency::Adjacency(const Body& body, std::vector<std::uint8_t> marked, std::span<const Chunk> where)

@@ -1,5 +1,7 @@
 #include "booleans/assemble.h"
 
+#include <unordered_map>
+
 namespace quoin::booleans {
 namespace {
 
@@ -15,15 +17,21 @@ class Assembler {
   Assembler(const Arrangement& a, const Selection& selection) : a_(a), s_(selection) {}
 
   Body run() {
-    body_.full_at_infinity = s_.full_at_infinity;
     place_of_.resize(a_.operands.bodies.size());
-    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
-      name_of_.emplace_back(a_.operands.bodies[o]->vertex_count(), none);
-      for (const std::uint32_t v : a_.touched.table_vertices[o]) name_of_[o][v] = by_table;
-    }
+    name_of_.resize(a_.operands.bodies.size());
     name_of_table_.assign(a_.vertices.size(), none);
     table_place_.assign(a_.vertices.size(), none);
-    reserve();
+    host_ = find_host();
+    for (std::uint32_t o = 0; o < a_.operands.bodies.size(); ++o) {
+      if (o == host_) continue;
+      name_of_[o].assign(a_.operands.bodies[o]->vertex_count(), none);
+      for (const std::uint32_t v : a_.touched.table_vertices[o]) name_of_[o][v] = by_table;
+    }
+    if (host_ == none)
+      reserve();
+    else
+      keep_host();
+    body_.full_at_infinity = s_.full_at_infinity;
     keep_raw();
     keep_polygons();
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
@@ -32,6 +40,8 @@ class Assembler {
     const auto copied = static_cast<std::uint32_t>(body_.planes.size());
     emit();
     list_chunks(raw, copied);
+    if (host_ != none && !is_tight()) body_ = packed(body_);
+    body_.settle();
     return std::move(body_);
   }
 
@@ -39,6 +49,8 @@ class Assembler {
   // A vertex of no touched face stays or goes with all its faces: faces of such vertices are copied, and vertices get
   // their names at once: a grid point its id, a derived one its index with local_bit. While other faces are collected a
   // corner is an index into places_.
+  // The result of a small change of a large operand, its host, shares the host's lists: the host's vertices keep their
+  // ids, and faces of it that stay are not even copied.
   static constexpr std::uint32_t by_table = none - 1;  // the name of a table vertex is in name_of_table_
   struct Place {
     std::uint32_t operand;  // none: a table vertex
@@ -58,10 +70,25 @@ class Assembler {
     if (p == none) p = new_place(none, v, name_of_table_[v]);
     return p;
   }
-  bool in_table(std::uint32_t operand, std::uint32_t v) const { return name_of_[operand][v] == by_table; }
+  bool in_table(std::uint32_t operand, std::uint32_t v) const {
+    if (operand != host_) return name_of_[operand][v] == by_table;
+    const auto& table = a_.touched.vertex_of[operand];
+    return !table.empty() && table[v] != none;
+  }
   std::uint32_t named(std::uint32_t operand, std::uint32_t v) {
+    if (operand == host_) return host_name(v);
     const std::uint32_t name = name_of_[operand][v];
     return name < by_table ? name : new_name(operand, v);
+  }
+  /// A vertex of the host has its own name; that is known to the table from now on.
+  std::uint32_t host_name(std::uint32_t v) {
+    const std::uint32_t name = name_in_host(v);
+    if (in_table(host_, v)) name_of_table_[a_.touched.vertex_of[host_][v]] = name;
+    return name;
+  }
+  std::uint32_t name_in_host(std::uint32_t v) const {
+    const Body& host = *a_.operands.bodies[host_];
+    return host.is_grid(v) ? v : (v - static_cast<std::uint32_t>(host.derived_base())) | local_bit;
   }
   std::uint32_t new_name(std::uint32_t operand, std::uint32_t v) {
     std::uint32_t& name =
@@ -73,17 +100,94 @@ class Assembler {
       body_.grid_points.push_back(body.grid_points[v]);
     } else {
       name = static_cast<std::uint32_t>(body_.points.size()) | local_bit;
-      body_.points.push_back(body.points[v - body.grid_points.size()]);
+      body_.points.push_back(body.derived(v));
     }
     return name;
   }
   std::uint32_t place(std::uint32_t operand, std::uint32_t v) {
     if (in_table(operand, v)) return table_place(a_.touched.vertex_of[operand][v]);
+    if (operand == host_) {
+      const auto [at, is_new] = place_in_host_.try_emplace(v, none);
+      if (is_new) at->second = new_place(operand, v, name_in_host(v));
+      return at->second;
+    }
     auto& own = place_of_[operand];
     if (own.empty()) own.assign(a_.operands.bodies[operand]->vertex_count(), none);
     if (own[v] == none) own[v] = new_place(operand, v, name_of_[operand][v]);
     return own[v];
   }
+
+  /// An operand whose lists the result may share: all of it but little lies far from the others and stays.
+  std::uint32_t find_host() const {
+    const Operands& all = a_.operands;
+    for (std::uint32_t o = 0; o < all.bodies.size(); ++o) {
+      const std::size_t own = all.base[o + 1] - all.base[o], others = all.face_count() - own + a_.touched.faces.size();
+      if (own >= 8 * others && a_.far_patch[o] != none && s_.kept[a_.far_patch[o]] > 0) return o;
+    }
+    return none;
+  }
+  /// Shares the host's lists. Of its chunks remains what stays as it is; other faces of it are seen to later.
+  void keep_host() {
+    const Body& host = *a_.operands.bodies[host_];
+    body_ = host;
+    body_.is_packed = false;
+    body_.chunks.clear();
+    std::size_t new_points = a_.vertices.size();
+    for (const Body* other : a_.operands.bodies) new_points += other == &host ? 0 : other->grid_points.size();
+    if (host.grid_points.size() + new_points > host.derived_base()) move_derived(new_points);
+    Box table;
+    for (const std::uint32_t v : a_.touched.table_vertices[host_]) table.add(host.approximation(v));
+    for (const OperandChunk& c : a_.operands.chunks_of(host_)) {
+      const std::uint32_t base = a_.operands.base[host_];
+      if (c.far && !c.box.meets(table))
+        keep_run(c, c.begin - base, c.end - base);
+      else
+        keep_near_host(c, base);
+    }
+  }
+  /// Gives derived points new ids, so that there is room for new grid points and for some more.
+  void move_derived(std::size_t new_points) {
+    const auto from = static_cast<std::uint32_t>(body_.derived_base());
+    const std::size_t grid = body_.grid_points.size();
+    body_.room = static_cast<std::uint32_t>(grid + grid / 4 + 2 * new_points);
+    for (std::uint32_t& v : body_.corners.edit())
+      if (v >= from) v += body_.room - from;
+  }
+  /// A run of faces of a chunk of the host stays; own ids.
+  void keep_run(const Chunk& c, std::uint32_t begin, std::uint32_t end) {
+    const auto raw = static_cast<std::uint32_t>(a_.operands.bodies[host_]->triangles.size());
+    if (begin < raw)
+      keep_chunk(raw_chunks_, begin, end, c.box);
+    else
+      keep_chunk(polygon_chunks_, begin - raw, end - raw, c.box);
+  }
+  void keep_near_host(const OperandChunk& c, std::uint32_t base) {
+    const Body& host = *a_.operands.bodies[host_];
+    const auto raw = static_cast<std::uint32_t>(host.triangles.size());
+    std::uint32_t begin = c.begin;
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      const std::uint32_t patch = a_.patch_of[f];
+      const int kept = patch == none ? 0 : s_.kept[patch];
+      bool stays = kept > 0;
+      if (stays && f - base < raw) {
+        for (const std::uint32_t v : host.triangles[f - base]) host_name(v);
+      } else if (stays) {
+        host.for_corners(f - base, [&](std::uint32_t v) { stays = stays && !in_table(host_, v); });
+      }
+      if (stays) continue;
+      keep_run(c, begin - base, f - base);
+      begin = f + 1;
+      if (kept != 0) changed_.push_back(f - base);
+    }
+    keep_run(c, begin - base, c.end - base);
+  }
+  bool is_tight() const {
+    std::size_t live = 0;
+    for (const Chunk& c : body_.chunks) live += c.end - c.begin;
+    return 4 * (body_.face_count() - live) <= live;
+  }
+  /// A name as a corner; as an id, if ids of derived points are known already.
+  std::uint32_t corner(std::uint32_t name) const { return host_ == none ? name : final_id(name); }
 
   /// Room for what may stay of the operands; what is not written costs no memory.
   void reserve() {
@@ -109,24 +213,31 @@ class Assembler {
     for (const OperandChunk& c : a_.operands.chunks) {
       const Body& body = *a_.operands.bodies[c.operand];
       const std::uint32_t base = a_.operands.base[c.operand];
-      if (c.begin - base >= body.triangles.size()) continue;
+      if (c.operand == host_ || c.begin - base >= body.triangles.size()) continue;
       const auto first = static_cast<std::uint32_t>(body_.triangles.size());
       for (std::uint32_t f = c.begin; f < c.end; ++f) {
         const std::uint32_t patch = a_.patch_of[f];
-        if (patch == none || s_.kept[patch] == 0) continue;
-        auto t = body.triangles[f - base];
-        if (s_.kept[patch] < 0) std::swap(t[1], t[2]);
-        for (std::uint32_t& v : t) v = named(c.operand, v);
-        body_.triangles.push_back(t);
+        if (patch != none && s_.kept[patch] != 0) keep_triangle(c.operand, f - base, s_.kept[patch] < 0);
       }
       keep_chunk(raw_chunks_, first, static_cast<std::uint32_t>(body_.triangles.size()), c.box);
     }
+    const auto first = static_cast<std::uint32_t>(body_.triangles.size());
+    for (const std::uint32_t f : changed_)
+      if (f < a_.operands.bodies[host_]->triangles.size()) keep_triangle(host_, f, true);
+    add_chunks(body_, first, static_cast<std::uint32_t>(body_.triangles.size()), raw_chunks_);
+  }
+  void keep_triangle(std::uint32_t operand, std::uint32_t f, bool turned) {
+    auto t = a_.operands.bodies[operand]->triangles[f];
+    if (turned) std::swap(t[1], t[2]);
+    for (std::uint32_t& v : t) v = named(operand, v);
+    body_.triangles.push_back(t);
   }
 
   /// The faces begin .. end - 1, those that stay of one chunk; short chunks that follow each other become one.
   static void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box) {
     if (begin == end) return;
-    if (!chunks.empty() && end - chunks.back().begin <= Chunk::most && chunks.back().box.meets(box)) {
+    if (!chunks.empty() && chunks.back().end == begin && end - chunks.back().begin <= Chunk::most &&
+        chunks.back().box.meets(box)) {
       chunks.back().end = end;
       chunks.back().box.add(box);
     } else {
@@ -210,28 +321,33 @@ class Assembler {
   /// Untouched polygons: those without a vertex of the table are copied, and named before the others.
   void keep_polygons() {
     std::vector<std::array<std::uint32_t, 2>> near;  // (operand, polygon)
-    for (const OperandChunk& c : a_.operands.chunks) {
-      const std::uint32_t o = c.operand, base = a_.operands.base[o];
+    const auto keep = [&](std::uint32_t o, std::uint32_t f) {
       const Body& body = *a_.operands.bodies[o];
-      const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
-      if (c.begin - base < triangles) continue;
+      const std::uint32_t p = f - static_cast<std::uint32_t>(body.triangles.size());
+      bool far = true;
+      body.for_corners(f, [&](std::uint32_t v) { far = far && !in_table(o, v); });
+      if (!far) {
+        near.push_back({o, p});
+        return;
+      }
+      for_kept_loops(
+          o, p, [&](std::uint32_t v) { return corner(named(o, v)); }, [&] { append_loop(loop_); });
+      close_polygon(kept_plane(o, p));
+    };
+    for (const OperandChunk& c : a_.operands.chunks) {
+      const std::uint32_t base = a_.operands.base[c.operand];
+      if (c.operand == host_ || c.begin - base < a_.operands.bodies[c.operand]->triangles.size()) continue;
       const auto first = static_cast<std::uint32_t>(body_.planes.size());
       if (!copied_whole(c))
         for (std::uint32_t f = c.begin; f < c.end; ++f) {
-          const std::uint32_t patch = a_.patch_of[f], p = f - base - triangles;
-          if (patch == none || s_.kept[patch] == 0) continue;
-          bool far = true;
-          body.for_corners(f - base, [&](std::uint32_t v) { far = far && !in_table(o, v); });
-          if (!far) {
-            near.push_back({o, p});
-            continue;
-          }
-          for_kept_loops(
-              o, p, [&](std::uint32_t v) { return named(o, v); }, [&] { append_loop(loop_); });
-          close_polygon(kept_plane(o, p));
+          const std::uint32_t patch = a_.patch_of[f];
+          if (patch != none && s_.kept[patch] != 0) keep(c.operand, f - base);
         }
       keep_chunk(polygon_chunks_, first, static_cast<std::uint32_t>(body_.planes.size()), c.box);
     }
+    turned_polygons_ = static_cast<std::uint32_t>(body_.planes.size());
+    for (const std::uint32_t f : changed_)
+      if (f >= a_.operands.bodies[host_]->triangles.size()) keep(host_, f);
     for (const auto& [o, p] : near) {
       Region& region = regions_.emplace_back(Region{kept_plane(o, p), {}, {}});
       for_kept_loops(
@@ -252,12 +368,11 @@ class Assembler {
       if (in_table(c.operand, v)) return false;
     const auto corner_shift = static_cast<std::uint32_t>(body_.corners.size()) - body.loop_corners[first_loop];
     const auto loop_shift = static_cast<std::uint32_t>(body_.loop_corners.size() - 1) - first_loop;
-    for (const std::uint32_t v : corners) body_.corners.push_back(named(c.operand, v));
+    for (const std::uint32_t v : corners) body_.corners.push_back(corner(named(c.operand, v)));
     for (std::uint32_t j = first_loop; j < last_loop; ++j)
       body_.loop_corners.push_back(body.loop_corners[j + 1] + corner_shift);
     for (std::size_t i = p; i < q; ++i) body_.polygon_loops.push_back(body.polygon_loops[i + 1] + loop_shift);
-    body_.planes.insert(body_.planes.end(), body.planes.begin() + static_cast<std::ptrdiff_t>(p),
-                        body.planes.begin() + static_cast<std::ptrdiff_t>(q));
+    body_.planes.append(body.planes.begin() + p, body.planes.begin() + q);
     return true;
   }
   bool is_turned(std::uint32_t o, std::uint32_t p) const {
@@ -281,7 +396,7 @@ class Assembler {
 
   /// A loop, then a polygon, of the body.
   void append_loop(std::span<const std::uint32_t> loop) {
-    body_.corners.insert(body_.corners.end(), loop.begin(), loop.end());
+    body_.corners.append(loop.begin(), loop.end());
     body_.loop_corners.push_back(static_cast<std::uint32_t>(body_.corners.size()));
   }
   void close_polygon(const exact::Plane& plane) {
@@ -357,7 +472,8 @@ class Assembler {
         }
       }
     }
-    for (std::uint32_t& c : body_.corners) c = final_id(c);
+    if (host_ == none)
+      for (std::uint32_t& c : body_.corners.edit()) c = final_id(c);
     const auto grid_count = static_cast<std::uint32_t>(body_.grid_points.size());
     for (const Region& r : regions_) {
       if (r.loop_ends.size() == 1 && r.corners.size() == 3 &&
@@ -379,11 +495,12 @@ class Assembler {
     body_.chunks = std::move(raw_chunks_);
     add_chunks(body_, raw, triangles, body_.chunks);
     for (const Chunk& c : polygon_chunks_) body_.chunks.push_back({triangles + c.begin, triangles + c.end, c.box});
-    add_chunks(body_, triangles + copied, static_cast<std::uint32_t>(body_.face_count()), body_.chunks);
+    add_chunks(body_, triangles + std::min(copied, turned_polygons_), static_cast<std::uint32_t>(body_.face_count()),
+               body_.chunks);
   }
-  /// Derived points follow the grid points. Precondition: all grid points are there.
+  /// Precondition: all grid points are there, or there is room for them.
   std::uint32_t final_id(std::uint32_t name) const {
-    return name & local_bit ? static_cast<std::uint32_t>(body_.grid_points.size()) + (name & ~local_bit) : name;
+    return name & local_bit ? static_cast<std::uint32_t>(body_.derived_base()) + (name & ~local_bit) : name;
   }
 
   const Arrangement& a_;
@@ -394,7 +511,11 @@ class Assembler {
   std::vector<std::vector<std::uint32_t>> place_of_;  // per operand, for vertices outside the table
   std::vector<std::uint32_t> name_of_table_;
   std::vector<std::vector<std::uint32_t>> name_of_;  // per operand
-  std::vector<Chunk> raw_chunks_, polygon_chunks_;   // of copied faces; polygons count from 0
+  std::uint32_t host_ = none;
+  std::unordered_map<std::uint32_t, std::uint32_t> place_in_host_;  // of vertices outside the table
+  std::vector<std::uint32_t> changed_;  // untouched faces of the host that stay, but not as they are; own ids
+  std::uint32_t turned_polygons_ = 0;   // the first of them
+  std::vector<Chunk> raw_chunks_, polygon_chunks_;  // of copied faces; polygons count from 0
   std::vector<Region> regions_;
   std::vector<std::uint32_t> loop_;
   std::vector<std::uint8_t> touching_;

@@ -14,6 +14,16 @@ exact::Plane Body::plane(std::uint32_t face) const {
   return *p;
 }
 
+void Body::settle() {
+  grid_points.settle();
+  points.settle();
+  triangles.settle();
+  planes.settle();
+  polygon_loops.settle();
+  loop_corners.settle();
+  corners.settle();
+}
+
 namespace {
 
 WideBox triangle_box(const Body& body, std::uint32_t t) {
@@ -58,12 +68,53 @@ void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::v
   add_chunks(std::max(begin, triangles), end, chunks, [&](std::uint32_t f) { return WideBox(polygon_box(body, f)); });
 }
 
+Body packed(const Body& body) {
+  if (body.is_packed) return body;
+  Body r;
+  r.full_at_infinity = body.full_at_infinity;
+  constexpr std::uint32_t derived = 1u << 31;  // until the number of grid points is known
+  std::vector<std::uint32_t> name(body.vertex_count(), none);
+  const auto named = [&](std::uint32_t v) {
+    if (name[v] != none) return name[v];
+    if (body.is_grid(v)) {
+      name[v] = static_cast<std::uint32_t>(r.grid_points.size());
+      r.grid_points.push_back(body.grid_points[v]);
+    } else {
+      name[v] = static_cast<std::uint32_t>(r.points.size()) | derived;
+      r.points.push_back(body.derived(v));
+    }
+    return name[v];
+  };
+  const auto raw = body.triangles.size();
+  for (const Chunk& c : body.chunks) {
+    const auto begin = static_cast<std::uint32_t>(r.face_count());
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      if (f < raw) {
+        const auto& t = body.triangles[f];
+        r.triangles.push_back({named(t[0]), named(t[1]), named(t[2])});
+        continue;
+      }
+      for (std::uint32_t j = body.polygon_loops[f - raw]; j < body.polygon_loops[f - raw + 1]; ++j) {
+        for (const std::uint32_t v : body.loop(j)) r.corners.push_back(named(v));
+        r.loop_corners.push_back(static_cast<std::uint32_t>(r.corners.size()));
+      }
+      r.polygon_loops.push_back(static_cast<std::uint32_t>(r.loop_corners.size() - 1));
+      r.planes.push_back(body.planes[f - raw]);
+    }
+    r.chunks.push_back({begin, static_cast<std::uint32_t>(r.face_count()), c.box});
+  }
+  for (std::uint32_t& v : r.corners.edit())
+    if (v & derived) v = static_cast<std::uint32_t>(r.grid_points.size()) + (v & ~derived);
+  return r;
+}
+
 Body complement(const Body& body) {
   Body r = body;
-  for (auto& t : r.triangles) std::swap(t[1], t[2]);
-  for (auto& p : r.planes) p = p.opposite();
+  for (auto& t : r.triangles.edit()) std::swap(t[1], t[2]);
+  for (auto& p : r.planes.edit()) p = p.opposite();
+  const auto corners = r.corners.edit();
   for (std::size_t j = 0; j + 1 < r.loop_corners.size(); ++j)
-    std::reverse(r.corners.begin() + r.loop_corners[j], r.corners.begin() + r.loop_corners[j + 1]);
+    std::reverse(corners.begin() + r.loop_corners[j], corners.begin() + r.loop_corners[j + 1]);
   r.full_at_infinity = !r.full_at_infinity;
   return r;
 }
@@ -124,7 +175,7 @@ Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, con
   const auto side = [&](std::uint32_t v) { return sides[v]; };
   const auto emit = [&](const exact::Plane& p, const std::vector<std::uint32_t>& loop) {
     r.planes.push_back(p);
-    r.corners.insert(r.corners.end(), loop.begin(), loop.end());
+    r.corners.append(loop.begin(), loop.end());
     r.loop_corners.push_back(static_cast<std::uint32_t>(r.corners.size()));
     r.polygon_loops.push_back(static_cast<std::uint32_t>(r.loop_corners.size() - 1));
   };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "booleans/box.h"
+#include "booleans/shared_list.h"
 
 namespace quoin::booleans {
 
@@ -27,9 +28,13 @@ struct Chunk {
 
 /// The boundary of a regular point set.
 ///
-/// Vertices: ids below grid_points.size() are grid points, the rest are derived points.
+/// Vertices: ids below grid_points.size() are grid points, those from derived_base() on are derived points.
 /// Faces: ids below triangles.size() are raw triangles between grid points, the rest are polygons: a plane (normal
 /// outwards) and loops, the face on the left of each loop seen from outside.
+///
+/// A body is *packed*, or it is *patched*: the result of an operation that changed little of an operand, whose lists it
+/// shares. A patched body has the faces of its chunks; its lists also hold faces that are gone, and vertices that no
+/// face has. Evaluation and triangulation take patched bodies as they are; all else packs them first (`packed`).
 ///
 /// Invariants of a *clean* body, which all operations return (`fault` in query.h tests B1 and what a body declares):
 ///   B1  every directed edge is balanced by its reverse;
@@ -38,28 +43,34 @@ struct Chunk {
 ///   B3  the winding number is 1 just inside every face and 0 just outside;
 ///   B4  a polygon is coplanar with no face that shares a two-faced edge with it.
 struct Body {
-  std::vector<exact::GridPoint> grid_points;
-  std::vector<exact::Point> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<exact::Plane> planes;  // one a polygon
-  std::vector<std::uint32_t> polygon_loops = {
-      0};  // polygon i has the loops polygon_loops[i] .. polygon_loops[i + 1] - 1
-  std::vector<std::uint32_t> loop_corners = {0};  // loop j has the corners loop_corners[j] .. loop_corners[j + 1] - 1
-  std::vector<std::uint32_t> corners;             // vertex ids
+  SharedList<exact::GridPoint> grid_points;
+  SharedList<exact::Point> points;
+  SharedList<std::array<std::uint32_t, 3>> triangles;
+  SharedList<exact::Plane> planes;  // one a polygon
+  // Polygon i has the loops polygon_loops[i] .. polygon_loops[i + 1] - 1,
+  // loop j has the corners loop_corners[j] .. loop_corners[j + 1] - 1.
+  SharedList<std::uint32_t> polygon_loops = {0};
+  SharedList<std::uint32_t> loop_corners = {0};
+  SharedList<std::uint32_t> corners;  // vertex ids
+  std::uint32_t room = 0;             // patched: the id of the first derived point, so that grid points can follow
+  bool is_packed = true;
   /// The value at infinity: true for complements of bounded solids.
   bool full_at_infinity = false;
-  /// All faces in order, or nothing: kept so that the next operation need not look at faces far from it.
+  /// All faces in order, or, of a packed body, nothing: kept so that the next operation need not look at faces far from
+  /// it.
   std::vector<Chunk> chunks;
 
-  std::size_t vertex_count() const { return grid_points.size() + points.size(); }
+  /// Bounds of ids, and numbers if the body is packed.
+  std::size_t vertex_count() const { return derived_base() + points.size(); }
   std::size_t polygon_count() const { return planes.size(); }
   std::size_t face_count() const { return triangles.size() + planes.size(); }
   bool is_grid(std::uint32_t v) const { return v < grid_points.size(); }
-  exact::Point point(std::uint32_t v) const {
-    return is_grid(v) ? exact::point(grid_points[v]) : points[v - grid_points.size()];
-  }
+  std::size_t derived_base() const { return std::max<std::size_t>(room, grid_points.size()); }
+  /// Precondition: not a grid point.
+  const exact::Point& derived(std::uint32_t v) const { return points[v - derived_base()]; }
+  exact::Point point(std::uint32_t v) const { return is_grid(v) ? exact::point(grid_points[v]) : derived(v); }
   std::array<double, 3> approximation(std::uint32_t v) const {
-    if (!is_grid(v)) return points[v - grid_points.size()].approximation;
+    if (!is_grid(v)) return derived(v).approximation;
     const exact::GridPoint& p = grid_points[v];
     return {double(p[0]), double(p[1]), double(p[2])};
   }
@@ -96,6 +107,17 @@ struct Body {
       for (std::size_t i = 0; i < l.size() && l.size() > 1; ++i) visit(l[i], l[i + 1 < l.size() ? i + 1 : 0]);
     }
   }
+  /// Nothing is added for now: a patched body may share these lists and add to them in place.
+  void settle();
+  /// visit(face) for every face.
+  template <class Visit>
+  void for_faces(Visit&& visit) const {
+    if (is_packed)
+      for (std::uint32_t f = 0; f < face_count(); ++f) visit(f);
+    else
+      for (const Chunk& c : chunks)
+        for (std::uint32_t f = c.begin; f < c.end; ++f) visit(f);
+  }
   /// Oriented plane of a face. Precondition: the triangle is not degenerate.
   exact::Plane plane(std::uint32_t face) const;
   /// The same, of a raw triangle not reduced: for signs.
@@ -110,6 +132,9 @@ Box face_box(const Body& body, std::uint32_t face);
 
 /// Appends the chunks of the faces begin .. end - 1.
 void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks);
+
+/// The same solid without what is in no chunk, and with derived points after the last grid point.
+Body packed(const Body& body);
 
 /// The complement: every face turned round, the value at infinity inverted.
 Body complement(const Body& body);

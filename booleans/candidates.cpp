@@ -29,8 +29,7 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
   for (std::uint32_t c = body.loop_corners[body.polygon_loops[p]]; c < body.loop_corners[body.polygon_loops[p + 1]];
        ++c) {
     const std::uint32_t v = body.corners[c];
-    if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v])
-                               : exact::side(plane, body.points[v - body.grid_points.size()])))
+    if (!apart(body.is_grid(v) ? exact::side(plane, body.grid_points[v]) : exact::side(plane, body.derived(v))))
       return false;
   }
   return true;
@@ -269,8 +268,7 @@ class Prover {
       if (const auto loop = body_.loop(j); loop.size() == 1) visit(loop[0]);
   }
   int side(const exact::Plane& plane, std::uint32_t v) const {
-    return body_.is_grid(v) ? exact::side(plane, body_.grid_points[v])
-                            : exact::side(plane, body_.points[v - body_.grid_points.size()]);
+    return body_.is_grid(v) ? exact::side(plane, body_.grid_points[v]) : exact::side(plane, body_.derived(v));
   }
   bool lists(std::uint32_t face, std::uint32_t v) const {
     bool found = false;

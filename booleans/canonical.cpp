@@ -346,7 +346,7 @@ class Canonizer {
 
 }  // namespace
 
-Canonical canonical(const Body& body) { return Canonizer(body).run(); }
+Canonical canonical(const Body& body) { return body.is_packed ? Canonizer(body).run() : canonical(packed(body)); }
 
 Body body_of(const Canonical& form) {
   Body body;

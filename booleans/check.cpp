@@ -88,7 +88,7 @@ void check(const Body& body) {
   require(!message, message ? message->c_str() : "");
   std::uint32_t next = 0;
   for (const Chunk& c : body.chunks) {
-    require(c.begin == next && c.begin < c.end, "chunks follow each other");
+    require((body.is_packed ? c.begin == next : c.begin >= next) && c.begin < c.end, "chunks follow each other");
     require((c.begin < body.triangles.size()) == (c.end <= body.triangles.size()), "a chunk has faces of one tier");
     for (std::uint32_t f = c.begin; f < c.end; ++f) {
       Box sum = c.box;
@@ -97,7 +97,8 @@ void check(const Body& body) {
     }
     next = c.end;
   }
-  require(body.chunks.empty() || next == body.face_count(), "chunks hold all faces");
+  require((body.is_packed && body.chunks.empty()) || next <= body.face_count(), "faces of chunks are there");
+  require(!body.is_packed || body.chunks.empty() || next == body.face_count(), "chunks hold all faces");
 }
 
 }  // namespace quoin::booleans

@@ -130,6 +130,7 @@ std::optional<std::string> wrong_label(const Arrangement& a, const Body& body) {
 }  // namespace
 
 std::optional<std::string> embedding_fault(const Body& body) {
+  if (!body.is_packed) return embedding_fault(packed(body));
   Arrangement a({&body});
   draw(a, body);
   if (auto message = crossing(a)) return message;

@@ -129,17 +129,15 @@ struct Pieces {
   std::vector<std::uint32_t> face;
 };
 
-void add_polygons(const Body& body, Triangulated& mesh) {
-  constexpr std::uint32_t batch = 64;
-  const auto count = static_cast<std::uint32_t>(body.polygon_count());
-  std::vector<Pieces> batches((count + batch - 1) / batch);
+void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, Triangulated& mesh) {
+  constexpr std::size_t batch = 64;
+  std::vector<Pieces> batches((polygons.size() + batch - 1) / batch);
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
     Triangulator triangulator(body);
     Pieces& pieces = batches[b];
-    for (auto p = static_cast<std::uint32_t>(b) * batch;
-         p < std::min(count, (static_cast<std::uint32_t>(b) + 1) * batch); ++p) {
-      triangulator.add(p, pieces.triangles);
-      pieces.face.resize(pieces.triangles.size(), static_cast<std::uint32_t>(body.triangles.size()) + p);
+    for (std::size_t i = b * batch; i < std::min(polygons.size(), (b + 1) * batch); ++i) {
+      triangulator.add(polygons[i] - static_cast<std::uint32_t>(body.triangles.size()), pieces.triangles);
+      pieces.face.resize(pieces.triangles.size(), polygons[i]);
     }
   });
   std::size_t total = mesh.triangles.size();
@@ -193,10 +191,18 @@ struct EdgeList {
 
 Triangulated triangulated(const Body& body) {
   Triangulated mesh;
-  mesh.triangles = body.triangles;
-  mesh.face.resize(body.triangles.size());
-  std::iota(mesh.face.begin(), mesh.face.end(), 0u);
-  add_polygons(body, mesh);
+  std::vector<std::uint32_t> polygons;
+  mesh.triangles.reserve(body.triangles.size());
+  mesh.face.reserve(body.triangles.size());
+  body.for_faces([&](std::uint32_t f) {
+    if (f >= body.triangles.size()) {
+      polygons.push_back(f);
+      return;
+    }
+    mesh.triangles.push_back(body.triangles[f]);
+    mesh.face.push_back(f);
+  });
+  add_polygons(body, polygons, mesh);
   std::vector<std::uint8_t> used(body.vertex_count());
   for (const auto& t : mesh.triangles)
     for (std::uint32_t v : t) used[v] = 1;

@@ -66,6 +66,7 @@ int largest_axis(const exact::Plane& p) {
 }  // namespace
 
 Rational volume(const Body& body) {
+  if (!body.is_packed) return volume(packed(body));
   // A polygon with plane n . x + d = 0 and area A n / |n| spans the cone of volume -d A / (3 |n|) from the origin. Its
   // projection along axis k has the area A_k = A n_k / |n|, so the cone is -d A_k / (3 n_k): no triangulation needed.
   Sum sum;
@@ -90,6 +91,7 @@ Rational volume(const Body& body) {
 }
 
 double approximate_area(const Body& body) {
+  if (!body.is_packed) return approximate_area(packed(body));
   double area = 0;
   const auto twice = [](const std::array<double, 3>& p, const std::array<double, 3>& q,
                         const std::array<double, 3>& r) {

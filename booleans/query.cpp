@@ -46,6 +46,7 @@ bool in_range(const Rational& x, std::int32_t low, std::int32_t high) { return x
 }  // namespace
 
 int locate(const Body& body, const RationalPoint& point) {
+  if (!body.is_packed) return locate(packed(body), point);
   int winding = body.full_at_infinity ? 1 : 0;
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
     const Box box = face_box(body, f);
@@ -73,7 +74,7 @@ int locate(const Body& body, const RationalPoint& point) {
 std::optional<Box> bounds(const Body& body) {
   if (body.face_count() == 0) return std::nullopt;
   Box box;
-  for (std::uint32_t f = 0; f < body.face_count(); ++f) box.add(face_box(body, f));
+  body.for_faces([&](std::uint32_t f) { box.add(face_box(body, f)); });
   return box;
 }
 
@@ -138,6 +139,7 @@ std::optional<std::string> balance_fault(const Body& body) {
 }  // namespace
 
 std::optional<std::string> fault(const Body& body) {
+  if (!body.is_packed) return fault(packed(body));
   for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
     const auto a = body.approximation(v);
     for (double x : a)

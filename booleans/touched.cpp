@@ -30,7 +30,7 @@ std::vector<Chunk> Operands::chunks_meeting(std::uint32_t operand, const Box& bo
 std::uint32_t TouchedFaces::table_id(const Body& body, std::uint32_t operand, std::uint32_t v, VertexTable& vertices) {
   std::uint32_t& id = vertex_of[operand][v];
   if (id == none) {
-    id = body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.points[v - body.grid_points.size()]);
+    id = body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.derived(v));
     table_vertices[operand].push_back(v);
   }
   return id;

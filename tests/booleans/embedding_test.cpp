@@ -26,7 +26,7 @@ Body together(const Body& a, const Body& b) {
   for (const Body* body : {&a, &b}) {
     const auto id = [&](std::uint32_t v) { return ids.at(body->point(v)); };
     for (const auto& t : body->triangles) r.triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
-    r.planes.insert(r.planes.end(), body->planes.begin(), body->planes.end());
+    r.planes.append(body->planes.begin(), body->planes.end());
     for (std::size_t p = 0; p < body->polygon_count(); ++p) {
       for (std::uint32_t j = body->polygon_loops[p]; j < body->polygon_loops[p + 1]; ++j) {
         for (std::uint32_t v : body->loop(j)) r.corners.push_back(id(v));
@@ -122,8 +122,8 @@ TEST(Embedding, FacesOfSeveralPieces) {
   };
   std::map<exact::Plane, std::vector<std::uint32_t>, decltype(plane_less)> by_plane(plane_less);
   for (std::uint32_t p = 0; p < two.polygon_count(); ++p) by_plane[two.planes[p]].push_back(p);
-  joined.planes.clear();
-  joined.corners.clear();
+  joined.planes = {};
+  joined.corners = {};
   joined.loop_corners = joined.polygon_loops = {0};
   for (const auto& [plane, members] : by_plane) {
     joined.planes.push_back(plane);

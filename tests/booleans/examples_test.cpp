@@ -114,11 +114,15 @@ TEST(Examples, CanonicalFormDropsNeedlessVertices) {
   dot.c[axis] = plain.grid_points[plain.corners[0]][static_cast<int>(axis)];
   ASSERT_EQ(plain.points.size(), 0u);
   dotted.grid_points.push_back(dot);
-  const std::uint32_t corners = plain.loop_corners[1];
-  dotted.corners.insert(dotted.corners.begin() + corners, static_cast<std::uint32_t>(plain.grid_points.size()));
-  dotted.loop_corners.insert(dotted.loop_corners.begin() + 1, corners);
-  for (std::size_t j = 2; j < dotted.loop_corners.size(); ++j) ++dotted.loop_corners[j];
-  for (std::size_t i = 1; i < dotted.polygon_loops.size(); ++i) ++dotted.polygon_loops[i];
+  const std::uint32_t end = plain.loop_corners[1];
+  std::vector<std::uint32_t> corners(plain.corners.begin(), plain.corners.end());
+  corners.insert(corners.begin() + end, static_cast<std::uint32_t>(plain.grid_points.size()));
+  std::vector<std::uint32_t> loop_corners(plain.loop_corners.begin(), plain.loop_corners.end());
+  loop_corners.insert(loop_corners.begin() + 1, end);
+  for (std::size_t j = 2; j < loop_corners.size(); ++j) ++loop_corners[j];
+  dotted.corners = std::move(corners);
+  dotted.loop_corners = std::move(loop_corners);
+  for (std::uint32_t& loop : dotted.polygon_loops.edit()) loop += loop != 0;
   ASSERT_EQ(fault(dotted), std::nullopt);
   EXPECT_TRUE(canonical(dotted) == canonical(plain));
   // Twelve triangles and six squares are one form.

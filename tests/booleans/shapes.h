@@ -64,7 +64,7 @@ inline std::vector<Vector> points_of(const Body& body) {
 
 /// The raw mesh with its triangles turned round.
 inline Body inside_out(Body body) {
-  for (Triangle& t : body.triangles) std::swap(t[1], t[2]);
+  for (Triangle& t : body.triangles.edit()) std::swap(t[1], t[2]);
   return body;
 }
 

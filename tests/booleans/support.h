@@ -254,7 +254,7 @@ class Solids {
     };
     if (random_.one_in(2)) {
       const Body b = *axis_box(0, 4);
-      return box(point(b.grid_points.front()), point(b.grid_points.back()));
+      return box(point(b.grid_points[0]), point(b.grid_points.back()));
     }
     const auto body = any_tetrahedron(0, 4);
     if (!body) return std::nullopt;
