@@ -30,25 +30,36 @@ class Connector {
     for (const OperandChunk& c : chunks)
       if (!c.far) around.add(c.box);
     Partition parts(body.vertex_count());
-    std::uint32_t anchor = none;  // a vertex of the far faces around
+    std::vector<std::uint8_t> is_near(body.vertex_count());
     for (const OperandChunk& c : chunks)
-      if (!c.far || c.box.meets(around))
+      if (!c.far)
         for_untouched(c, [&](std::uint32_t f) {
           std::uint32_t first = none;
           body.for_corners(f, [&](std::uint32_t v) {
+            is_near[v] = 1;
             if (first == none)
               first = v;
             else
               parts.unite(first, v);
           });
-          if (!c.far) return;
-          if (anchor == none) anchor = first;
-          parts.unite(anchor, first);
+        });
+    std::uint32_t anchor = none;  // a vertex of near and far faces
+    for (const OperandChunk& c : chunks)
+      if (c.far && c.box.meets(around))
+        for_untouched(c, [&](std::uint32_t f) {
+          body.for_corners(f, [&](std::uint32_t v) {
+            if (!is_near[v]) return;
+            if (anchor == none) anchor = v;
+            parts.unite(anchor, v);
+          });
         });
     std::vector<std::uint32_t> patch(body.vertex_count(), none);
     std::uint32_t& far = a_.far_patch[operand];
     for (const OperandChunk& c : chunks)
-      if (c.far) for_untouched(c, [&](std::uint32_t f) { assign(operand, f, far); });
+      if (c.far) {
+        if (far == none) far = new_patch(operand);
+        std::fill(a_.patch_of.begin() + c.begin, a_.patch_of.begin() + c.end, far);
+      }
     if (anchor != none) patch[parts.find(anchor)] = far;
     for (const OperandChunk& c : chunks)
       if (!c.far)
@@ -136,11 +147,12 @@ class Connector {
   void for_untouched(std::uint32_t operand, Visit&& visit) {
     for (const OperandChunk& c : a_.operands.chunks_of(operand)) for_untouched(c, visit);
   }
+  std::uint32_t new_patch(std::uint32_t operand) {
+    a_.patch_operand.push_back(operand);
+    return a_.node_count() - 1;
+  }
   void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch) {
-    if (patch == none) {
-      patch = a_.node_count();
-      a_.patch_operand.push_back(operand);
-    }
+    if (patch == none) patch = new_patch(operand);
     a_.patch_of[a_.operands.base[operand] + f] = patch;
   }
   std::uint32_t table_id(std::uint32_t operand, std::uint32_t v) {
@@ -169,6 +181,7 @@ void connect(Arrangement& a, Glue glue) {
     else
       c.glue_over_edges(i);
   }
+  for (const std::uint32_t f : a.touched.members) a.patch_of[f] = none;
   c.collect_uses();
 }
 

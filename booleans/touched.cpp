@@ -10,6 +10,7 @@ Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), bas
     own.clear();
     if (body.chunks.empty()) add_chunks(body, 0, faces, own);
     Box& all = bounds.emplace_back();
+    chunks.reserve(chunks.size() + own.size() + body.chunks.size());
     for (const Chunk& c : body.chunks.empty() ? own : body.chunks) {
       chunks.push_back({{base.back() + c.begin, base.back() + c.end, c.box}, o, false});
       all.add(c.box);
@@ -41,13 +42,14 @@ namespace {
 /// Collects the touched faces of one operand.
 class Collector {
  public:
-  Collector(const Operands& operands, std::uint32_t operand, std::vector<std::uint8_t>& touched, VertexTable& vertices,
-            PlaneTable& planes, TouchedFaces& out)
+  /// `named`: the faces in pairs, own ids in ascending order.
+  Collector(const Operands& operands, std::uint32_t operand, std::span<const std::uint32_t> named,
+            VertexTable& vertices, PlaneTable& planes, TouchedFaces& out)
       : operands_(operands),
         body_(*operands.bodies[operand]),
         operand_(operand),
         base_(operands.base[operand]),
-        touched_(touched),
+        named_(named),
         vertices_(vertices),
         planes_(planes),
         out_(out),
@@ -55,12 +57,17 @@ class Collector {
 
   void run() {
     std::vector<std::uint8_t> marked(body_.vertex_count());
-    for (std::uint32_t f = 0; f < body_.face_count(); ++f)
-      if (touched_[base_ + f]) body_.for_corners(f, [&](std::uint32_t v) { marked[v] = 1; });
-    out_.adjacency[operand_] = std::make_unique<Adjacency>(body_, std::move(marked), near_chunks());
+    Box box;
+    for (const std::uint32_t f : named_) {
+      body_.for_corners(f, [&](std::uint32_t v) { marked[v] = 1; });
+      box.add(face_box(body_, f));
+    }
+    // A face with a vertex of these has that vertex in its box.
+    out_.adjacency[operand_] =
+        std::make_unique<Adjacency>(body_, std::move(marked), operands_.chunks_meeting(operand_, box));
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
-    for (std::uint32_t f = 0; f < body_.face_count(); ++f) {
-      if (!touched_[base_ + f] || out_.face_of[base_ + f] != none) continue;
+    for (const std::uint32_t f : named_) {
+      if (out_.face_of[base_ + f] != none) continue;
       if (f < triangles)
         flood(f);
       else
@@ -74,18 +81,6 @@ class Collector {
   struct LocalEdge {
     std::uint32_t u, v;  // local vertex ids
   };
-
-  /// The chunks that may hold a face with a vertex of a touched face.
-  std::vector<Chunk> near_chunks() const {
-    Box box;
-    for (const OperandChunk& c : operands_.chunks_of(operand_))
-      for (std::uint32_t f = c.begin; f < c.end; ++f)
-        if (touched_[f]) {
-          box.add(c.box);
-          break;
-        }
-    return operands_.chunks_meeting(operand_, box);
-  }
 
   /// Knows one end of the edge. Floods that run far make it complete.
   const Adjacency& adjacency(std::uint32_t u, std::uint32_t v) {
@@ -121,7 +116,6 @@ class Collector {
           add_edge(c[k], c[(k + 1) % 3]);
         } else if (out_.face_of[base_ + mate] == none) {
           out_.face_of[base_ + mate] = index;
-          touched_[base_ + mate] = 1;
           members_.push_back(mate);
         }
       }
@@ -149,6 +143,7 @@ class Collector {
     TouchedFace& face = out_.faces.back();
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f : members_) {
+      out_.members.push_back(base_ + f);
       face.box.add(face_box(body_, f));
       if (f < triangles) continue;
       for (std::uint32_t j = body_.polygon_loops[f - triangles]; j < body_.polygon_loops[f - triangles + 1]; ++j) {
@@ -209,7 +204,7 @@ class Collector {
   const Operands& operands_;
   const Body& body_;
   const std::uint32_t operand_, base_;
-  std::vector<std::uint8_t>& touched_;
+  const std::span<const std::uint32_t> named_;
   VertexTable& vertices_;
   PlaneTable& planes_;
   TouchedFaces& out_;
@@ -222,8 +217,12 @@ class Collector {
 
 TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdPair>& near, VertexTable& vertices,
                              PlaneTable& planes) {
-  std::vector<std::uint8_t> touched(operands.face_count());
-  for (const FaceIdPair& p : near) touched[p[0]] = touched[p[1]] = 1;
+  std::vector<std::vector<std::uint32_t>> named(operands.bodies.size());
+  for (const FaceIdPair& p : near)
+    for (const std::uint32_t id : p) {
+      const auto [o, f] = operands.local(id);
+      named[o].push_back(f);
+    }
   TouchedFaces out;
   const std::size_t n = operands.bodies.size();
   out.face_of.assign(operands.face_count(), none);
@@ -231,10 +230,11 @@ TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdP
   out.table_vertices.resize(n);
   out.adjacency.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const auto first = touched.begin() + operands.base[i], last = touched.begin() + operands.base[i + 1];
-    if (std::find(first, last, 1) == last) continue;
+    if (named[i].empty()) continue;
+    std::sort(named[i].begin(), named[i].end());
+    named[i].erase(std::unique(named[i].begin(), named[i].end()), named[i].end());
     out.vertex_of[i].assign(operands.bodies[i]->vertex_count(), none);
-    Collector(operands, i, touched, vertices, planes, out).run();
+    Collector(operands, i, named[i], vertices, planes, out).run();
   }
   out.edge_tree.resize(out.faces.size());
   for (std::size_t i = 0; i < out.faces.size(); ++i) {

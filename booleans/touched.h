@@ -83,6 +83,7 @@ struct TouchedFaces {
   std::vector<std::uint32_t> isolated;
   std::vector<UntouchedUse> untouched;
   std::vector<std::uint32_t> face_of;  // global face id -> index into faces, none when untouched
+  std::vector<std::uint32_t> members;  // global ids of the faces that have one
   /// Per operand: local vertex id -> table id, none where the vertex is on no touched face.
   std::vector<std::vector<std::uint32_t>> vertex_of;
   std::vector<std::vector<std::uint32_t>> table_vertices;  // per operand: the local ids that have one
