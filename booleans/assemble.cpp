@@ -136,7 +136,11 @@ class Assembler {
     for (const Body* other : a_.operands.bodies) new_points += other == &host ? 0 : other->grid_points.size();
     if (host.grid_points.size() + new_points > host.derived_base()) move_derived(new_points);
     Box table;
-    for (const std::uint32_t v : a_.touched.table_vertices[host_]) table.add(host.approximation(v));
+    host_name_of_table_.assign(a_.vertices.size(), none);
+    for (const std::uint32_t v : a_.touched.table_vertices[host_]) {
+      table.add(host.approximation(v));
+      host_name_of_table_[a_.touched.vertex_of[host_][v]] = name_in_host(v);
+    }
     for (const OperandChunk& c : a_.operands.chunks_of(host_)) {
       const std::uint32_t base = a_.operands.base[host_];
       if (c.far && !c.box.meets(table))
@@ -178,13 +182,14 @@ class Assembler {
       keep_run(c, begin - base, f - base);
       begin = f + 1;
       if (kept != 0) changed_.push_back(f - base);
+      if (f - base >= raw) body_.gone_corners += host.corner_count(f - base);
     }
     keep_run(c, begin - base, c.end - base);
   }
   bool is_tight() const {
     std::size_t live = 0;
     for (const Chunk& c : body_.chunks) live += c.end - c.begin;
-    return 4 * (body_.face_count() - live) <= live;
+    return 4 * (body_.face_count() - live) <= live && 5 * body_.gone_corners <= body_.corners.size();
   }
   /// A name as a corner; as an id, if ids of derived points are known already.
   std::uint32_t corner(std::uint32_t name) const { return host_ == none ? name : final_id(name); }
@@ -459,10 +464,13 @@ class Assembler {
       for (std::uint32_t i = 0; i < places_.size(); ++i) {
         const Place& p = places_[i];
         if (!needed[i] || is_grid(p) != grid) continue;
-        id[i] = final_id(p.name != none ? p.name
-                         : grid         ? static_cast<std::uint32_t>(body_.grid_points.size())
-                                        : static_cast<std::uint32_t>(body_.points.size()) | local_bit);
-        if (p.name != none) continue;
+        std::uint32_t name = p.name;
+        if (name == none && p.operand == none && host_ != none) name = host_name_of_table_[p.vertex];
+        const bool is_new = name == none;
+        if (is_new)
+          name = static_cast<std::uint32_t>(grid ? body_.grid_points.size() : body_.points.size() | local_bit);
+        id[i] = final_id(name);
+        if (!is_new) continue;
         if (grid) {
           body_.grid_points.push_back(p.operand == none ? a_.vertices.grid_point(p.vertex)
                                                         : a_.operands.bodies[p.operand]->grid_points[p.vertex]);
@@ -513,6 +521,7 @@ class Assembler {
   std::vector<std::vector<std::uint32_t>> name_of_;  // per operand
   std::uint32_t host_ = none;
   std::unordered_map<std::uint32_t, std::uint32_t> place_in_host_;  // of vertices outside the table
+  std::vector<std::uint32_t> host_name_of_table_;                   // none where the host has no such vertex
   std::vector<std::uint32_t> changed_;  // untouched faces of the host that stay, but not as they are; own ids
   std::uint32_t turned_polygons_ = 0;   // the first of them
   std::vector<Chunk> raw_chunks_, polygon_chunks_;  // of copied faces; polygons count from 0

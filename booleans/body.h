@@ -53,6 +53,7 @@ struct Body {
   SharedList<std::uint32_t> loop_corners = {0};
   SharedList<std::uint32_t> corners;  // vertex ids
   std::uint32_t room = 0;             // patched: the id of the first derived point, so that grid points can follow
+  std::size_t gone_corners = 0;       // patched: those of polygons that are gone
   bool is_packed = true;
   /// The value at infinity: true for complements of bounded solids.
   bool full_at_infinity = false;

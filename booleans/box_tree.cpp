@@ -11,8 +11,9 @@ std::uint32_t spread(std::uint32_t v) {
   return (v | (v << 2)) & 0x09249249u;
 }
 
-/// Stable radix sort of (key, index) by the 30-bit key, three passes of 10 bits.
+/// Sorts (key, index), given in the order of the indices, by the 30-bit key: in three passes of 10 bits.
 void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
+  if (a.size() < 500) return std::sort(a.begin(), a.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> b(a.size());
   for (int shift = 0; shift < 30; shift += 10) {
     std::array<std::uint32_t, 1025> start{};

@@ -195,23 +195,23 @@ void Drawing::make_elements() {
 }
 
 void Drawing::collect_vertices() {
-  by_id_.assign(outline_.points.begin(), outline_.points.end());
-  for (const auto& e : elements_) {
-    by_id_.push_back(e.a);
-    by_id_.push_back(e.b);
-  }
-  std::sort(by_id_.begin(), by_id_.end());
-  by_id_.erase(std::unique(by_id_.begin(), by_id_.end()), by_id_.end());
-  vertex_ids_ = by_id_;
-  std::sort(vertex_ids_.begin(), vertex_ids_.end(), [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
-  const auto index = [&](std::uint32_t v) {
-    return std::lower_bound(by_id_.begin(), by_id_.end(), v) - by_id_.begin();
+  if (rank_of_.size() < vertices_.size()) rank_of_.resize(vertices_.size(), none);
+  vertex_ids_.clear();
+  const auto add = [&](std::uint32_t v) {
+    if (rank_of_[v] != none) return;
+    rank_of_[v] = 0;
+    vertex_ids_.push_back(v);
   };
-  rank_by_id_.resize(by_id_.size());
-  const auto rank = [&](std::uint32_t v) -> std::uint32_t& { return rank_by_id_[static_cast<std::size_t>(index(v))]; };
-  for (std::uint32_t i = 0; i < vertex_ids_.size(); ++i) rank(vertex_ids_[i]) = i;
+  for (const std::uint32_t v : outline_.points) add(v);
+  for (const auto& e : elements_) {
+    add(e.a);
+    add(e.b);
+  }
+  std::sort(vertex_ids_.begin(), vertex_ids_.end(), [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
+  for (std::uint32_t i = 0; i < vertex_ids_.size(); ++i) rank_of_[vertex_ids_[i]] = i;
   rank_.resize(half_edges());
-  for (std::uint32_t h = 0; h < rank_.size(); ++h) rank_[h] = rank(origin(h));
+  for (std::uint32_t h = 0; h < rank_.size(); ++h) rank_[h] = rank_of_[origin(h)];
+  for (const std::uint32_t v : vertex_ids_) rank_of_[v] = none;
 }
 
 void Drawing::sort_around_vertices() {

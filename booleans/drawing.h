@@ -107,10 +107,10 @@ class Drawing {
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> change_start_;
   std::vector<Sheet::Element> elements_;
-  std::vector<Change> changes_;            // by element
-  std::vector<int> direction_;             // per element, Frame::direction of its line
-  std::vector<std::uint32_t> vertex_ids_;  // the sheet's vertices in frame order
-  std::vector<std::uint32_t> by_id_, rank_by_id_;
+  std::vector<Change> changes_;                  // by element
+  std::vector<int> direction_;                   // per element, Frame::direction of its line
+  std::vector<std::uint32_t> vertex_ids_;        // the sheet's vertices in frame order
+  std::vector<std::uint32_t> rank_of_;           // per table vertex, none between sheets
   std::vector<std::uint32_t> rank_;              // per half-edge: index of its origin in vertex_ids_
   std::vector<std::uint32_t> first_out_;         // per vertex: start in out_
   std::vector<std::uint32_t> out_;               // half-edges by origin, counter-clockwise from "straight down"

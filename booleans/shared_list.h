@@ -110,7 +110,7 @@ class SharedList {
     if (block_ && n <= block_->size && block_->used.compare_exchange_strong(expected, block_->size)) {
       end_ = block_->size;
     } else {
-      move_to(std::max(n, size_ + size_ / 2));
+      move_to(std::max({n, size_ + size_ / 2, std::size_t{4}}));
     }
   }
   void move_to(std::size_t room) {
