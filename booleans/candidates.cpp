@@ -1,5 +1,7 @@
 #include "booleans/candidates.h"
 
+#include <functional>
+
 #include "booleans/pair_search.h"
 #include "booleans/triangle_pair.h"
 
