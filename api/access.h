@@ -42,9 +42,6 @@ struct Access {
   /// Precondition: the step is positive.
   static Grid grid(grid::Lattice lattice);
 
-  static Solid solid(const Grid& grid, std::shared_ptr<const booleans::Body> body) {
-    return Solid(grid, std::move(body));
-  }
   static Solid solid(const Grid& grid, booleans::Body&& body);
   /// A packed body. A solid without one (empty by default, or moved from) has the empty one.
   static const booleans::Body& body(const Solid& solid);

@@ -36,10 +36,8 @@ class Assembler {
     keep_polygons();
     for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
     drop_vertices();
-    const auto raw = static_cast<std::uint32_t>(body_.triangles.size());
-    const auto copied = static_cast<std::uint32_t>(body_.planes.size());
     emit();
-    list_chunks(raw, copied);
+    list_chunks();
     if (host_ != none && !is_tight()) body_ = packed(body_);
     body_.settle();
     return std::move(body_);
@@ -226,10 +224,9 @@ class Assembler {
       }
       keep_chunk(raw_chunks_, first, static_cast<std::uint32_t>(body_.triangles.size()), c.box);
     }
-    const auto first = static_cast<std::uint32_t>(body_.triangles.size());
+    listed_triangles_ = static_cast<std::uint32_t>(body_.triangles.size());
     for (const std::uint32_t f : changed_)
       if (f < a_.operands.bodies[host_]->triangles.size()) keep_triangle(host_, f, true);
-    add_chunks(body_, first, static_cast<std::uint32_t>(body_.triangles.size()), raw_chunks_);
   }
   void keep_triangle(std::uint32_t operand, std::uint32_t f, bool turned) {
     auto t = a_.operands.bodies[operand]->triangles[f];
@@ -350,7 +347,7 @@ class Assembler {
         }
       keep_chunk(polygon_chunks_, first, static_cast<std::uint32_t>(body_.planes.size()), c.box);
     }
-    turned_polygons_ = static_cast<std::uint32_t>(body_.planes.size());
+    listed_polygons_ = static_cast<std::uint32_t>(body_.planes.size());
     for (const std::uint32_t f : changed_)
       if (f >= a_.operands.bodies[host_]->triangles.size()) keep(host_, f);
     for (const auto& [o, p] : near) {
@@ -497,14 +494,13 @@ class Assembler {
       close_polygon(r.plane);
     }
   }
-  /// Copied faces keep their chunks' boxes. `raw` triangles and `copied` polygons were copied.
-  void list_chunks(std::uint32_t raw, std::uint32_t copied) {
+  /// Copied faces keep their chunks' boxes.
+  void list_chunks() {
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     body_.chunks = std::move(raw_chunks_);
-    add_chunks(body_, raw, triangles, body_.chunks);
+    add_chunks(body_, listed_triangles_, triangles, body_.chunks);
     for (const Chunk& c : polygon_chunks_) body_.chunks.push_back({triangles + c.begin, triangles + c.end, c.box});
-    add_chunks(body_, triangles + std::min(copied, turned_polygons_), static_cast<std::uint32_t>(body_.face_count()),
-               body_.chunks);
+    add_chunks(body_, triangles + listed_polygons_, static_cast<std::uint32_t>(body_.face_count()), body_.chunks);
   }
   /// Precondition: all grid points are there, or there is room for them.
   std::uint32_t final_id(std::uint32_t name) const {
@@ -523,8 +519,8 @@ class Assembler {
   std::unordered_map<std::uint32_t, std::uint32_t> place_in_host_;  // of vertices outside the table
   std::vector<std::uint32_t> host_name_of_table_;                   // none where the host has no such vertex
   std::vector<std::uint32_t> changed_;  // untouched faces of the host that stay, but not as they are; own ids
-  std::uint32_t turned_polygons_ = 0;   // the first of them
-  std::vector<Chunk> raw_chunks_, polygon_chunks_;  // of copied faces; polygons count from 0
+  std::uint32_t listed_triangles_ = 0, listed_polygons_ = 0;  // those before are in the chunks below
+  std::vector<Chunk> raw_chunks_, polygon_chunks_;            // of copied faces; polygons count from 0
   std::vector<Region> regions_;
   std::vector<std::uint32_t> loop_;
   std::vector<std::uint8_t> touching_;

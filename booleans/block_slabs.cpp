@@ -42,7 +42,7 @@ LanePairs BlockSlabs::apart(std::uint32_t x, std::uint32_t y) const {
 
 BlockSlabs::Reach BlockSlabs::reach(std::uint32_t face, const Normal& n) const {
   Reach r;
-  if (const auto& [body, f, id] = faces_[face]; faces_[face].is_raw()) {
+  if (const auto& [body, f] = faces_[face]; faces_[face].is_raw()) {
     for (const std::uint32_t v : body->triangles[f]) r.add(value(n, body->grid_points[v]));
   } else {
     for (const exact::GridPoint& p : ends_along(n, tree_.box(face))) r.add(value(n, p));
@@ -69,7 +69,7 @@ BlockSlabs::Slab BlockSlabs::slab(std::uint32_t block) const {
   std::array<double, 3> sum{}, along{};
   double area = 0, longest = 0;
   for (std::uint32_t i = begin(block); i < end(block); ++i) {
-    const auto& [body, f, id] = faces_[i];
+    const auto& [body, f] = faces_[i];
     const exact::Plane p = body->sign_plane(f);
     const std::array<double, 3> normal{double(p.n[0]), double(p.n[1]), double(p.n[2])};
     for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];

@@ -6,11 +6,10 @@
 
 namespace quoin::booleans {
 
-/// A face that takes part in a search; pairs name it by `id`.
+/// A face that takes part in a search.
 struct SearchedFace {
   const Body* body;
   std::uint32_t face;  // its own id in the body
-  std::uint32_t id;
 
   bool is_raw() const { return face < body->triangles.size(); }
   std::uint32_t corner_count() const { return body->corner_count(face); }

@@ -24,12 +24,9 @@ void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
   }
 }
 
-}  // namespace
-
-std::vector<BoxTree::Item> BoxTree::sorted(const std::vector<Item>& items, Order by) {
-  if (by == Order::as_given) return items;
+std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTree::Order by) {
   Box all;
-  for (const Item& x : items) all.add(x.box);
+  for (const BoxTree::Item& x : items) all.add(x.box);
   // 10 bits per axis of the doubled centre.
   std::array<int, 3> shift{};
   for (std::size_t k = 0; k < 3 && !items.empty(); ++k) {
@@ -48,26 +45,26 @@ std::vector<BoxTree::Item> BoxTree::sorted(const std::vector<Item>& items, Order
   }
   radix_sort(order);
   std::vector<std::size_t> start(1);
-  if (by == Order::by_group) {
-    for (const Item& x : items) {
+  if (by == BoxTree::Order::by_group) {
+    for (const BoxTree::Item& x : items) {
       start.resize(std::max<std::size_t>(start.size(), x.group + std::size_t{2}));
       ++start[x.group + 1];
     }
     for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
   }
-  std::vector<Item> result(items.size());
+  std::vector<BoxTree::Item> result(items.size());
   for (const auto& o : order) {
-    const Item& x = items[o.second];
-    result[start[by == Order::by_group ? x.group : 0]++] = x;
+    const BoxTree::Item& x = items[o.second];
+    result[start[by == BoxTree::Order::by_group ? x.group : 0]++] = x;
   }
   return result;
 }
 
+}  // namespace
+
 BoxTree::BoxTree(const std::vector<Item>& given, Order order) {
   if (given.empty()) return;
-  std::vector<Item> own;
-  if (order != Order::as_given) own = sorted(given, order);
-  const std::vector<Item>& items = order == Order::as_given ? given : own;
+  const std::vector<Item> items = sorted(given, order);
   ids_.reserve(items.size());
   for (const Item& x : items) ids_.push_back(x.id);
   levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made

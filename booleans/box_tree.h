@@ -98,11 +98,9 @@ class BoxTree {
   };
 
   enum class Order {
-    as_given,
     by_place,  // Morton order of the centres: neighbours of all groups together
     by_group   // the groups (small numbers) one after the other, each by place
   };
-  static std::vector<Item> sorted(const std::vector<Item>& items, Order order);
 
   explicit BoxTree(const std::vector<Item>& items, Order order = Order::by_place);
 

@@ -83,7 +83,7 @@ class NeighbourMask {
       }
   }
   /// The lanes of block b that are neighbours of the i-th triangle.
-  unsigned operator()(std::uint32_t i, std::uint32_t b, unsigned) const {
+  unsigned operator()(std::uint32_t i, std::uint32_t b) const {
     const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
     const std::size_t lane = i % BoxBlock::width;
     return lanes_with(std::array{others[0].data(), others[1].data(), others[2].data()},
@@ -199,7 +199,7 @@ std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
   faces.reserve(items.size());
   for (const std::uint32_t id : tree.ids()) {
     const auto [o, f] = operands.local(id);
-    faces.push_back({operands.bodies[o], f, id});
+    faces.push_back({operands.bodies[o], f});
   }
   const auto apart = [&](std::uint32_t i, std::uint32_t j) {
     const exact::Plane plane = faces[i].body->sign_plane(faces[i].face);
@@ -219,7 +219,7 @@ namespace {
 /// All faces of a body, and a tree over them.
 struct OwnFaces {
   explicit OwnFaces(const Body& body) : tree(items(body)) {
-    for (const std::uint32_t f : tree.ids()) faces.push_back({&body, f, f});
+    for (const std::uint32_t f : tree.ids()) faces.push_back({&body, f});
   }
   static std::vector<BoxTree::Item> items(const Body& body) {
     std::vector<BoxTree::Item> r(body.face_count());

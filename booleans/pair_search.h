@@ -9,17 +9,17 @@
 namespace quoin::booleans {
 
 /// What a search without neighbours skips.
-inline constexpr auto skip_nothing = [](std::uint32_t, std::uint32_t, unsigned) { return 0u; };
+inline constexpr auto skip_nothing = [](std::uint32_t, std::uint32_t) { return 0u; };
 
 /// Finds the pairs that a test accepts, smaller id first, in an order that depends on the tree alone.
-/// skip(i, block, lanes): which of the given faces of the block are not wanted with the i-th face; bits.
+/// skip(i, block): which faces of the block are not wanted with the i-th face; bits.
 /// wanted(i, j): whether these two faces are; only pairs whose boxes meet are asked for.
 template <class Skip, class Wanted>
 class PairSearch {
  public:
   /// The faces in the tree's order.
   PairSearch(const std::vector<SearchedFace>& faces, const BoxTree& tree, Skip skip, Wanted wanted)
-      : faces_(faces), tree_(tree), slabs_(faces, tree), skip_(skip), wanted_(wanted) {}
+      : tree_(tree), slabs_(faces, tree), skip_(skip), wanted_(wanted) {}
 
   std::vector<FaceIdPair> run(BoxTree::Pairs pairs) {
     tree_.block_pairs(pairs, [&](std::uint32_t x, std::uint32_t y) {
@@ -63,8 +63,8 @@ class PairSearch {
   LanePairs skipped(const BlockPair& p) const {
     LanePairs r = 0;
     for (std::uint32_t i = 0; i < BoxBlock::width; ++i)
-      if (const auto row = static_cast<unsigned>(p.lanes >> (BoxBlock::width * i)) & 0xFF; row != 0)
-        r |= LanePairs{skip_(p.x * BoxBlock::width + i, p.y, row)} << (BoxBlock::width * i);
+      if ((p.lanes >> (BoxBlock::width * i) & 0xFF) != 0)
+        r |= LanePairs{skip_(p.x * BoxBlock::width + i, p.y)} << (BoxBlock::width * i);
     return r;
   }
 
@@ -75,11 +75,11 @@ class PairSearch {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       const std::uint32_t i = p.x * BoxBlock::width + lane / BoxBlock::width,
                           j = p.y * BoxBlock::width + lane % BoxBlock::width;
-      if (wanted_(i, j)) found.push_back({std::min(faces_[i].id, faces_[j].id), std::max(faces_[i].id, faces_[j].id)});
+      const std::uint32_t a = tree_.ids()[i], b = tree_.ids()[j];
+      if (wanted_(i, j)) found.push_back({std::min(a, b), std::max(a, b)});
     }
   }
 
-  const std::vector<SearchedFace>& faces_;
   const BoxTree& tree_;
   BlockSlabs slabs_;
   const Skip skip_;

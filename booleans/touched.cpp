@@ -10,7 +10,6 @@ Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), bas
     own.clear();
     if (body.chunks.empty()) add_chunks(body, 0, faces, own);
     Box& all = bounds.emplace_back();
-    chunks.reserve(chunks.size() + own.size() + body.chunks.size());
     for (const Chunk& c : body.chunks.empty() ? own : body.chunks) {
       chunks.push_back({{base.back() + c.begin, base.back() + c.end, c.box}, o, false});
       all.add(c.box);

@@ -29,7 +29,7 @@ Body small_tool(Random& random) {
 
 // Small changes of a large solid share its lists. The second way: all operands in one arrangement, too many for that.
 TEST(Assemble, PatchedResultsAreThoseOfOneArrangement) {
-  std::size_t patched = 0, packed_again = 0;
+  std::size_t patched = 0;
   for (std::uint64_t number = 0; number < case_count(5); ++number) {
     SCOPED_TRACE(case_name(number));
     Random random(0xA55E, number);
@@ -52,7 +52,6 @@ TEST(Assemble, PatchedResultsAreThoseOfOneArrangement) {
       e = next;
       results.push_back(combined(rule, {&results.back(), &operands[i]}, negated ? 1 : none));
       patched += !results.back().is_packed;
-      packed_again += !results[i - 1].is_packed && results[i].is_packed;
       forms.push_back(canonical(results.back()));
       // Another branch from the same solid takes the place behind its lists, or does not get it.
       if (random.one_in(3)) minus(results[i - 1], operands[i]);
@@ -65,7 +64,6 @@ TEST(Assemble, PatchedResultsAreThoseOfOneArrangement) {
               volume(results.back()));
   }
   EXPECT_GT(patched, 10 * case_count(5));
-  RecordProperty("packed_again", std::to_string(packed_again));
 }
 
 }  // namespace
