@@ -37,7 +37,55 @@ LanePairs BlockSlabs::apart(std::uint32_t x, std::uint32_t y) const {
     if (b.reach.apart(reach(i, b.normal))) rows |= LanePairs{0xFF} << (8 * (i - begin(x)));
   for (std::uint32_t j = begin(y); j < end(y); ++j)
     if (a.reach.apart(reach(j, a.normal))) columns |= LanePairs{0x0101010101010101} << (j - begin(y));
-  return rows | columns;
+  const LanePairs left = ~(rows | columns);
+  return ~left | (std::popcount(left) > 2 * static_cast<int>(BoxBlock::width) ? apart_along_line(x, y, left) : 0);
+}
+
+/// Coordinates along the line are below 2^61. A crossing is at s + t (r - s) with 0 <= t <= 1: t is off by 2^-51 at
+/// most, r - s and s by 2^9, the sum and the product by 2^10, so all by less than 2^13.
+BlockSlabs::Interval BlockSlabs::within(std::uint32_t face, const Slab& slab, const Normal& line) const {
+  constexpr double slack = 1 << 13;
+  Interval r;
+  if (!faces_[face].is_raw()) {
+    const Reach all = reach(face, line);
+    return {static_cast<double>(all.low) - slack, static_cast<double>(all.high) + slack};
+  }
+  const Body& body = *faces_[face].body;
+  std::array<std::int64_t, 3> height{};
+  std::array<double, 3> along{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const exact::GridPoint& p = body.grid_points[body.triangles[faces_[face].face][k]];
+    height[k] = value(slab.normal, p);
+    along[k] = static_cast<double>(value(line, p));
+    if (height[k] >= slab.reach.low && height[k] <= slab.reach.high) r.add(along[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    for (const std::int64_t end : {slab.reach.low, slab.reach.high})
+      if ((height[k] < end) != (height[next] < end))
+        r.add(along[k] + static_cast<double>(end - height[k]) / static_cast<double>(height[next] - height[k]) *
+                             (along[next] - along[k]));
+  }
+  return {r.low - slack, r.high + slack};
+}
+
+LanePairs BlockSlabs::apart_along_line(std::uint32_t x, std::uint32_t y, LanePairs left) const {
+  const Slab &a = slabs_[slab_of_[x]], &b = slabs_[slab_of_[y]];
+  std::array<double, 3> d{};
+  for (std::size_t k = 0; k < 3; ++k)
+    d[k] = double(a.normal[(k + 1) % 3]) * double(b.normal[(k + 2) % 3]) -
+           double(a.normal[(k + 2) % 3]) * double(b.normal[(k + 1) % 3]);
+  const Normal line = scaled(d, (1 << 30) - 1);
+  std::array<Interval, BoxBlock::width> columns{};
+  for (std::uint32_t j = begin(y); j < end(y); ++j) columns[j - begin(y)] = within(j, a, line);
+  LanePairs r = 0;
+  for (std::uint32_t i = begin(x); i < end(x); ++i) {
+    const std::uint32_t row = BoxBlock::width * (i - begin(x));
+    if ((left >> row & 0xFF) == 0) continue;
+    const Interval own = within(i, b, line);
+    for (std::uint32_t j = 0; j < BoxBlock::width; ++j) r |= LanePairs{own.apart(columns[j])} << (row + j);
+  }
+  return r;
 }
 
 BlockSlabs::Reach BlockSlabs::reach(std::uint32_t face, const Normal& n) const {

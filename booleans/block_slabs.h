@@ -2,6 +2,8 @@
 /// Slabs around blocks of eight faces: what tells long thin faces apart whose boxes all overlap.
 #pragma once
 
+#include <cmath>
+
 #include "booleans/box_tree.h"
 
 namespace quoin::booleans {
@@ -18,8 +20,9 @@ struct SearchedFace {
 /// A slab around the eight faces of a block of a tree. Neighbours on a surface lie nearly in one plane, so the slab is
 /// thin, and a face strictly on one side of it meets none of the eight, however much the boxes overlap: those of long
 /// thin diagonal triangles do. Two bundles of such triangles that cross are also compared along the direction that is
-/// perpendicular to both. Directions come from doubles, what lies along them is exact: any direction is right, a good
-/// one makes the slab thin.
+/// perpendicular to both. Where two slabs cross, what each face has in the other's slab is compared along the line of
+/// their planes: the triangles of two fans that cross all meet that line, each in a place of its own. Directions come
+/// from doubles, what lies along them is exact or bounded: any direction is right, a good one makes the slab thin.
 class BlockSlabs {
  public:
   /// The faces in the tree's order. Both must outlive it.
@@ -58,6 +61,15 @@ class BlockSlabs {
     bool is_bundle;  // the triangles are long and thin
   };
 
+  struct Interval {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    void add(double x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    bool apart(const Interval& i) const { return high < i.low || i.high < low; }
+  };
+
   std::uint32_t begin(std::uint32_t block) const { return block * BoxBlock::width; }
   std::uint32_t end(std::uint32_t block) const {
     return std::min(begin(block) + BoxBlock::width, static_cast<std::uint32_t>(faces_.size()));
@@ -66,6 +78,9 @@ class BlockSlabs {
   Reach block_reach(std::uint32_t block, const Normal& n) const;
   bool bundles_apart(std::uint32_t x, std::uint32_t y) const;
   Slab slab(std::uint32_t block) const;
+  /// How far along a line a face reaches within a slab, and a little more. Precondition: the face meets the slab.
+  Interval within(std::uint32_t face, const Slab& slab, const Normal& line) const;
+  LanePairs apart_along_line(std::uint32_t x, std::uint32_t y, LanePairs left) const;
 
   const std::vector<SearchedFace>& faces_;
   const BoxTree& tree_;

@@ -1,5 +1,7 @@
 #include "booleans/box_tree.h"
 
+#include "grid/stretches.h"
+
 namespace quoin::booleans {
 namespace {
 
@@ -11,52 +13,78 @@ std::uint32_t spread(std::uint32_t v) {
   return (v | (v << 2)) & 0x09249249u;
 }
 
-/// Sorts (key, index), given in the order of the indices, by the 30-bit key: in three passes of 10 bits.
-void radix_sort(std::vector<std::pair<std::uint32_t, std::uint32_t>>& a) {
-  if (a.size() < 500) return std::sort(a.begin(), a.end());
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> b(a.size());
-  for (int shift = 0; shift < 30; shift += 10) {
-    std::array<std::uint32_t, 1025> start{};
-    for (const auto& x : a) ++start[((x.first >> shift) & 1023u) + 1];
+constexpr int axis_bits = 10, key_bits = 3 * axis_bits;
+
+/// The place of box centres on a Morton curve through the box of them all, `axis_bits` bits an axis.
+class Places {
+ public:
+  explicit Places(const Box& all) : low_(all.low) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t extent = 2 * static_cast<std::uint64_t>(std::int64_t{all.high[k]} - all.low[k]);
+      while (extent >> shift_[k] >> axis_bits) ++shift_[k];
+    }
+  }
+  std::uint32_t operator()(const Box& box) const {
+    std::uint32_t key = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t centre = std::int64_t{box.low[k]} + box.high[k] - 2 * std::int64_t{low_[k]};
+      key |= spread(static_cast<std::uint32_t>(centre >> shift_[k])) << k;
+    }
+    return key;
+  }
+
+ private:
+  std::array<std::int32_t, 3> low_;
+  std::array<int, 3> shift_{};
+};
+
+using Keyed = std::pair<std::uint32_t, std::uint32_t>;  // key, index
+
+/// Sorts `a`, given in the order of the indices, by the key into `b`: in three passes.
+void radix_sort(std::span<Keyed> a, std::span<Keyed> b) {
+  if (a.size() < 500) {
+    std::copy(a.begin(), a.end(), b.begin());
+    return std::sort(b.begin(), b.end());
+  }
+  constexpr int digit = key_bits / 3;
+  constexpr std::uint32_t mask = (1u << digit) - 1;
+  for (int shift = 0; shift < key_bits; shift += digit) {
+    std::array<std::uint32_t, mask + 2> start{};
+    for (const Keyed& x : a) ++start[((x.first >> shift) & mask) + 1];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    for (const auto& x : a) b[start[(x.first >> shift) & 1023u]++] = x;
-    a.swap(b);
+    for (const Keyed& x : a) b[start[(x.first >> shift) & mask]++] = x;
+    std::swap(a, b);
   }
 }
+
+constexpr std::size_t stretch = std::size_t{1} << 14;
 
 std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTree::Order by) {
   Box all;
   for (const BoxTree::Item& x : items) all.add(x.box);
-  // 10 bits per axis of the doubled centre.
-  std::array<int, 3> shift{};
-  for (std::size_t k = 0; k < 3 && !items.empty(); ++k) {
-    std::uint64_t extent = 2 * static_cast<std::uint64_t>(std::int64_t{all.high[k]} - all.low[k]);
-    while (extent >> shift[k] > 1023) ++shift[k];
+  const Places place(all);
+  const bool grouped = by == BoxTree::Order::by_group;
+  std::vector<std::size_t> start(2);  // of each group, then its end
+  for (const BoxTree::Item& x : items) {
+    const std::size_t group = grouped ? x.group : 0;
+    if (start.size() < group + 2) start.resize(group + 2);
+    ++start[group + 1];
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> order(items.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    std::uint32_t key = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t centre =
-          std::int64_t{items[i].box.low[k]} + items[i].box.high[k] - 2 * std::int64_t{all.low[k]};
-      key |= spread(static_cast<std::uint32_t>(centre >> shift[k])) << k;
-    }
-    order[i] = {key, i};
-  }
-  radix_sort(order);
-  std::vector<std::size_t> start(1);
-  if (by == BoxTree::Order::by_group) {
-    for (const BoxTree::Item& x : items) {
-      start.resize(std::max<std::size_t>(start.size(), x.group + std::size_t{2}));
-      ++start[x.group + 1];
-    }
-    for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
-  }
+  for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
+  std::vector<Keyed> given(items.size()), order(items.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t i = 0; i < items.size(); ++i) given[next[grouped ? items[i].group : 0]++].second = i;
+  grid::in_stretches(given.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) given[i].first = place(items[given[i].second].box);
+  });
+  grid::in_stretches(start.size() - 1, 1, [&](std::size_t g, std::size_t, std::size_t) {
+    const std::size_t size = start[g + 1] - start[g];
+    radix_sort(std::span(given).subspan(start[g], size), std::span(order).subspan(start[g], size));
+  });
   std::vector<BoxTree::Item> result(items.size());
-  for (const auto& o : order) {
-    const BoxTree::Item& x = items[o.second];
-    result[start[by == BoxTree::Order::by_group ? x.group : 0]++] = x;
-  }
+  grid::in_stretches(order.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) result[i] = items[order[i].second];
+  });
   return result;
 }
 

@@ -11,6 +11,7 @@
 #endif
 
 #include "booleans/body.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 
@@ -169,10 +170,12 @@ class BoxTree {
     level.count = static_cast<std::uint32_t>(n);
     level.blocks.resize((n + BoxBlock::width - 1) / BoxBlock::width);
     level.group.resize(level.blocks.size() * BoxBlock::width, mixed);
-    for (std::size_t i = 0; i < n; ++i) {
-      level.blocks[i / BoxBlock::width].set(static_cast<std::uint32_t>(i % BoxBlock::width), box(i));
-      level.group[i] = group(i);
-    }
+    grid::in_stretches(n, std::size_t{BoxBlock::width} << 10, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        level.blocks[i / BoxBlock::width].set(static_cast<std::uint32_t>(i % BoxBlock::width), box(i));
+        level.group[i] = group(i);
+      }
+    });
   }
 
   /// Are all items below two lanes of one group, and pairs within a group not wanted?

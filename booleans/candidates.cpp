@@ -2,8 +2,10 @@
 
 #include <functional>
 
+#include "booleans/cell_filter.h"
 #include "booleans/pair_search.h"
 #include "booleans/triangle_pair.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -100,99 +102,64 @@ class NeighbourMask {
 
 namespace {
 
-/// Drops items that share no cell of a uniform grid with an item of another group. `work` bounds the number of cells
-/// and the number of cells that all boxes take together: cells are as fine as that allows.
-class CellFilter {
- public:
-  CellFilter(const std::vector<BoxTree::Item>& items, std::size_t work) {
-    if (items.empty()) return;
-    for (const BoxTree::Item& i : items) all_.add(i.box);
-    while (cell_count() > std::min(work, std::size_t{1} << 21)) ++shift_;
-    while (shift_ < 31 && coverage(items) > work) ++shift_;
-    owner_.assign(cell_count(), none);
-    for (const BoxTree::Item& i : items)
-      for_cells(i.box, [&](std::uint32_t& owner) {
-        if (owner == none)
-          owner = i.group;
-        else if (owner != i.group)
-          owner = mixed;
-        return true;
+/// Items, part by part, that share a cell with an item of another group.
+/// visit_part(i, visit): visit(item) for the items of part i; `all` holds the `count` items, `factor` times as many
+/// cells may be taken.
+template <class VisitPart>
+std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
+                                      VisitPart visit_part) {
+  constexpr std::size_t length = 256, most_samples = 128;
+  const std::size_t stride = 1 + parts / most_samples;
+  std::vector<Box> sample;
+  for (std::size_t i = 0; i < parts; i += stride)
+    visit_part(i, [&](const BoxTree::Item& item) { sample.push_back(item.box); });
+  if (count == 0) return {};
+  if (sample.empty()) sample.push_back(all);
+  CellFilter cells(all, sample, count / sample.size() + 1, factor * count);
+  std::vector<std::vector<BoxTree::Item>> kept(parts / length + 1);
+  grid::in_stretches(parts, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      visit_part(i, [&](const BoxTree::Item& item) {
+        cells.add(item.box, item.group);
+        kept[s].push_back(item);
       });
-  }
-  bool keeps(const Box& box) {
-    bool found = false;
-    for_cells(box, [&](std::uint32_t owner) { return !(found = owner == mixed); });
-    return found;
-  }
+  });
+  grid::in_stretches(kept.size(), 1, [&](std::size_t s, std::size_t, std::size_t) {
+    std::erase_if(kept[s], [&](const BoxTree::Item& item) { return !cells.is_shared(item.box); });
+  });
+  std::size_t total = 0;
+  for (const auto& k : kept) total += k.size();
+  std::vector<BoxTree::Item> items;
+  items.reserve(total);
+  for (const auto& k : kept) items.insert(items.end(), k.begin(), k.end());
+  return items;
+}
 
- private:
-  static constexpr std::uint32_t mixed = none - 1;
-
-  std::uint32_t cell(std::size_t k, std::int32_t x) const {
-    return static_cast<std::uint32_t>(std::int64_t{x} - all_.low[k]) >> shift_;
-  }
-  std::size_t cell_count() const {
-    std::size_t n = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      n *= std::size_t{cell(k, all_.high[k])} + 1;
-      if (n > std::size_t{1} << 32) break;
+/// The faces that may meet one of another operand: chunks are looked at first.
+std::vector<BoxTree::Item> near_faces(const Operands& operands) {
+  Box all;
+  std::size_t count = 0;
+  for (const OperandChunk& c : operands.chunks)
+    if (!c.far) all.add(c.box), ++count;
+  const auto chunks = near_items(operands.chunks.size(), count, all, 32, [&](std::size_t i, auto&& visit) {
+    if (const OperandChunk& c = operands.chunks[i]; !c.far)
+      visit(BoxTree::Item{c.box, static_cast<std::uint32_t>(i), c.operand});
+  });
+  count = 0;
+  for (const BoxTree::Item& c : chunks) count += operands.chunks[c.id].end - operands.chunks[c.id].begin;
+  return near_items(chunks.size(), count, all, 8, [&](std::size_t i, auto&& visit) {
+    const OperandChunk& c = operands.chunks[chunks[i].id];
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      const Box box = face_box(*operands.bodies[c.operand], f - operands.base[c.operand]);
+      if (operands.may_be_near(c.operand, box)) visit(BoxTree::Item{box, f, c.operand});
     }
-    return n;
-  }
-  /// How many cells the boxes take together, as some of them tell.
-  std::size_t coverage(const std::vector<BoxTree::Item>& items) const {
-    const std::size_t stride = 1 + items.size() / 4096;
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < items.size(); i += stride) {
-      const Box& box = items[i].box;
-      std::size_t n = stride;
-      for (std::size_t k = 0; k < 3; ++k) n *= std::size_t{cell(k, box.high[k])} - cell(k, box.low[k]) + 1;
-      sum += n;
-    }
-    return sum;
-  }
-  /// visit(owner) until it returns false.
-  template <class Visit>
-  void for_cells(const Box& box, Visit&& visit) {
-    std::array<std::uint32_t, 3> low{}, high{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = cell(k, box.low[k]);
-      high[k] = cell(k, box.high[k]);
-    }
-    const std::size_t ny = cell(1, all_.high[1]) + std::size_t{1}, nx = cell(0, all_.high[0]) + std::size_t{1};
-    for (std::size_t z = low[2]; z <= high[2]; ++z)
-      for (std::size_t y = low[1]; y <= high[1]; ++y)
-        for (std::size_t x = low[0]; x <= high[0]; ++x)
-          if (!visit(owner_[(z * ny + y) * nx + x])) return;
-  }
-
-  Box all_;
-  int shift_ = 0;
-  std::vector<std::uint32_t> owner_;  // the group of the items in each cell, none or mixed
-};
-
-/// Drops items that share no cell with an item of another group.
-void keep_near(std::vector<BoxTree::Item>& items, std::size_t work) {
-  CellFilter cells(items, work);
-  std::erase_if(items, [&](const BoxTree::Item& i) { return !cells.keeps(i.box); });
+  });
 }
 
 }  // namespace
 
 std::vector<FaceIdPair> foreign_pairs(const Operands& operands) {
-  std::vector<BoxTree::Item> chunks;
-  for (std::uint32_t i = 0; i < operands.chunks.size(); ++i)
-    if (const OperandChunk& c = operands.chunks[i]; !c.far) chunks.push_back({c.box, i, c.operand});
-  keep_near(chunks, operands.face_count());
-  std::vector<BoxTree::Item> items;
-  for (const BoxTree::Item& item : chunks) {
-    const OperandChunk& c = operands.chunks[item.id];
-    for (std::uint32_t f = c.begin; f < c.end; ++f) {
-      const Box box = face_box(*operands.bodies[c.operand], f - operands.base[c.operand]);
-      if (operands.may_be_near(c.operand, box)) items.push_back({box, f, c.operand});
-    }
-  }
-  keep_near(items, 8 * items.size());
+  const std::vector<BoxTree::Item> items = near_faces(operands);
   const bool few = operands.bodies.size() <= Operands::few;
   const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
   std::vector<SearchedFace> faces;
