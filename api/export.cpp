@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "api/access.h"
+#include "api/run.h"
 #include "booleans/export.h"
 #include "exact/predicates.h"
 #include "grid/balance.h"
@@ -99,12 +100,12 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
                       std::size_t first) {
   using Range = tbb::blocked_range<std::size_t>;
   return tbb::parallel_reduce(
-      Range(first, mesh.triangles.size(), 1024), Effects{},
+      Range(first, mesh.triangle_count(), 1024), Effects{},
       [&](const Range& range, Effects sum) {
         for (std::size_t t = range.begin(); t < range.end(); ++t) {
           std::array<Corner, 3> c;
           for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.triangles[t][i]} + k];
+            for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.corners[3 * t + i]} + k];
           const Effect found = effect(c, body.sign_plane(mesh.face[t]).n);
           sum.flipped += found == Effect::flipped;
           sum.collapsed += found == Effect::collapsed;
@@ -116,6 +117,39 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
       });
 }
 
+Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options,
+                      ExportReport* report) {
+  // False when the run was cancelled.
+  const auto begin = [&](const char* stage) {
+    if (options.run.stage) options.run.stage(stage);
+    return !options.run.cancel || !options.run.cancel->load(std::memory_order_relaxed);
+  };
+  const Error cancelled{"cancelled", "the export was cancelled"};
+  if (!begin("triangulate")) return cancelled;
+  Triangulated mesh = booleans::triangulated(body);
+  if (!begin("separate")) return cancelled;
+  if (options.topology == Topology::manifold)
+    mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
+  if (!begin("round")) return cancelled;
+  Mesh out;
+  out.points = rounded_points(body, lattice, mesh.source, options.float32);
+  if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
+    return Error{"out-of-range", std::string("the solid reaches beyond the largest ") +
+                                     (options.float32 ? "float32" : "double") + "; scale the model down"};
+  if (report) {
+    // Raw triangles come first.
+    const bool exact = !options.float32 && grid::Rounder(lattice).is_exact();
+    const auto raw = std::partition_point(mesh.face.begin(), mesh.face.end(),
+                                          [&](std::uint32_t f) { return f < body.triangles.size(); });
+    const Effects effects =
+        count_effects(body, mesh, out.points, exact ? static_cast<std::size_t>(raw - mesh.face.begin()) : 0);
+    *report = {mesh.triangle_count(), effects.flipped, effects.collapsed,
+               grid::is_balanced(mesh.corners, mesh.source.size())};
+  }
+  out.triangles = std::move(mesh.corners);
+  return out;
+}
+
 }  // namespace
 
 Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report) const {
@@ -123,27 +157,7 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   const Body& body = Access::operand(*this);
   if (body.full_at_infinity)
     return Error{"unbounded", "an unbounded solid has no triangle mesh; its complement may have one"};
-  Triangulated mesh = booleans::triangulated(body);
-  if (options.topology == Topology::manifold)
-    mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
-  Mesh out;
-  out.points = rounded_points(body, Access::lattice(*this), mesh.source, options.float32);
-  if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
-    return Error{"out-of-range", std::string("the solid reaches beyond the largest ") +
-                                     (options.float32 ? "float32" : "double") + "; scale the model down"};
-  const std::uint32_t* const corners = mesh.triangles.empty() ? nullptr : mesh.triangles[0].data();
-  out.triangles.assign(corners, corners + 3 * mesh.triangles.size());
-  if (report) {
-    // Raw triangles come first.
-    const bool exact = !options.float32 && grid::Rounder(Access::lattice(*this)).is_exact();
-    const auto raw = std::partition_point(mesh.face.begin(), mesh.face.end(),
-                                          [&](std::uint32_t f) { return f < body.triangles.size(); });
-    const Effects effects =
-        count_effects(body, mesh, out.points, exact ? static_cast<std::size_t>(raw - mesh.face.begin()) : 0);
-    *report = {mesh.triangles.size(), effects.flipped, effects.collapsed,
-               grid::is_balanced(mesh.triangles, mesh.source.size())};
-  }
-  return out;
+  return with_threads(options.run.threads, [&] { return exported(body, Access::lattice(*this), options, report); });
 }
 
 }  // namespace quoin

@@ -19,9 +19,11 @@ namespace {
 /// the surface hangs together around both its ends.
 bool has_single_edges(const Triangulated& mesh) {
   std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
+  edges.reserve(mesh.corners.size());
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+    const auto t = mesh.triangle(n);
     for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::uint64_t{t[i]} << 32 | t[(i + 1) % 3]);
+  }
   std::sort(edges.begin(), edges.end());
   return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
@@ -44,7 +46,7 @@ void add_topology(const Body& body, Info& info) {
   const Triangulated mesh = booleans::triangulated(body);
   const Triangulated parts = booleans::separated(body, mesh);
   const booleans::Shells shells = booleans::shells(parts);
-  info.triangles = mesh.triangles.size();
+  info.triangles = mesh.triangle_count();
   info.shells = shells.count;
   info.genus = shells.genus;
   info.manifold = parts.source.size() == mesh.source.size() && has_single_edges(parts);

@@ -9,9 +9,11 @@ using namespace quoin;
 using bench::must;
 
 int main(int argc, char** argv) {
+  ExportOptions output;
   return bench::run_peer(
       argc, argv,
-      [](const bench::Task& task) {
+      [&](const bench::Task& task) {
+        output.run.threads = task.threads;
         ImportOptions options;
         options.grid = must(Grid::with_step(task.step));
         options.run.threads = task.threads;
@@ -26,5 +28,5 @@ int main(int argc, char** argv) {
         options.threads = task.threads;
         return bench::combine(task.operation, solids, [&](const Expression& e) { return must(evaluate(e, options)); });
       },
-      [](const Solid& solid) { return must(solid.to_triangles({})); });
+      [&](const Solid& solid) { return must(solid.to_triangles(output)); });
 }

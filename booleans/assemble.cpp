@@ -2,6 +2,8 @@
 
 #include <unordered_map>
 
+#include "grid/stretches.h"
+
 namespace quoin::booleans {
 namespace {
 
@@ -50,6 +52,7 @@ class Assembler {
   // The result of a small change of a large operand, its host, shares the host's lists: the host's vertices keep their
   // ids, and faces of it that stay are not even copied.
   static constexpr std::uint32_t by_table = none - 1;  // the name of a table vertex is in name_of_table_
+  static constexpr std::uint32_t listed = none - 2;    // the same, of one that raw triangles of its operand have
   struct Place {
     std::uint32_t operand;  // none: a table vertex
     std::uint32_t vertex;
@@ -69,14 +72,14 @@ class Assembler {
     return p;
   }
   bool in_table(std::uint32_t operand, std::uint32_t v) const {
-    if (operand != host_) return name_of_[operand][v] == by_table;
+    if (operand != host_) return name_of_[operand][v] == by_table || name_of_[operand][v] == listed;
     const auto& table = a_.touched.vertex_of[operand];
     return !table.empty() && table[v] != none;
   }
   std::uint32_t named(std::uint32_t operand, std::uint32_t v) {
     if (operand == host_) return host_name(v);
     const std::uint32_t name = name_of_[operand][v];
-    return name < by_table ? name : new_name(operand, v);
+    return name < listed ? name : new_name(operand, v);
   }
   /// A vertex of the host has its own name; that is known to the table from now on.
   std::uint32_t host_name(std::uint32_t v) {
@@ -194,16 +197,13 @@ class Assembler {
 
   /// Room for what may stay of the operands; what is not written costs no memory.
   void reserve() {
-    std::size_t points = 0, corners = 0, loops = 0, planes = 0, faces = 0;
-    for (const std::uint32_t patch : a_.patch_of) faces += patch != none && s_.kept[patch] != 0;
+    std::size_t points = 0, corners = 0, loops = 0, planes = 0;
     for (const Body* body : a_.operands.bodies) {
       points += body->points.size();
       corners += body->corners.size();
       loops += body->loop_corners.size();
       planes += body->planes.size();
     }
-    body_.triangles.reserve(faces);
-    body_.grid_points.reserve(faces / 2 + 16);
     body_.points.reserve(points);
     body_.corners.reserve(corners);
     body_.loop_corners.reserve(loops);
@@ -211,28 +211,104 @@ class Assembler {
     body_.planes.reserve(planes);
   }
 
-  /// The untouched raw triangles that stay.
+  bool stays(std::uint32_t face) const { return a_.patch_of[face] != none && s_.kept[a_.patch_of[face]] != 0; }
+  /// Copies of raw triangles of one operand. Their corners are `points` of their own, counted from 0, or table
+  /// vertices, with local_bit.
+  struct RawCopies {
+    std::vector<exact::GridPoint> points;
+    std::vector<std::uint32_t> table;                     // own ids of the table vertices
+    std::vector<std::array<std::uint32_t, 3>*> at_table;  // triangles that have such
+    std::span<std::array<std::uint32_t, 3>> triangles;
+    std::uint32_t first = 0;  // the name of the first point
+  };
+
+  /// The untouched raw triangles that stay: operand by operand, side by side.
   void keep_raw() {
-    for (const OperandChunk& c : a_.operands.chunks) {
-      const Body& body = *a_.operands.bodies[c.operand];
-      const std::uint32_t base = a_.operands.base[c.operand];
-      if (c.operand == host_ || c.begin - base >= body.triangles.size()) continue;
-      const auto first = static_cast<std::uint32_t>(body_.triangles.size());
-      for (std::uint32_t f = c.begin; f < c.end; ++f) {
-        const std::uint32_t patch = a_.patch_of[f];
-        if (patch != none && s_.kept[patch] != 0) keep_triangle(c.operand, f - base, s_.kept[patch] < 0);
-      }
-      keep_chunk(raw_chunks_, first, static_cast<std::uint32_t>(body_.triangles.size()), c.box);
-    }
+    const auto& chunks = a_.operands.chunks;
+    const std::size_t n = a_.operands.bodies.size();
+    std::vector<std::uint32_t> start(chunks.size() + 1, static_cast<std::uint32_t>(body_.triangles.size()));
+    grid::in_stretches(chunks.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) start[i + 1] = count_raw(chunks[i]);
+    });
+    for (std::size_t i = 0; i < chunks.size(); ++i) start[i + 1] += start[i];
+    body_.triangles.reserve(start.back() + changed_.size() + a_.facet_count());
+    const auto out = body_.triangles.grow(start.back() - start.front());
+
+    std::vector<RawCopies> raw(n);
+    grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+      const std::uint32_t begin = a_.operands.first_chunk[o], end = a_.operands.first_chunk[o + 1];
+      raw[o].triangles = out.subspan(start[begin] - start.front(), start[end] - start[begin]);
+      raw[o].points.reserve(std::min(a_.operands.bodies[o]->grid_points.size(), 3 * raw[o].triangles.size()));
+      auto next = raw[o].triangles.data();
+      for (std::uint32_t i = begin; i < end; ++i)
+        if (start[i] < start[i + 1]) next = copy_raw(chunks[i], next, raw[o]);
+    });
+    name_raw(raw);
+    for (std::size_t i = 0; i < chunks.size(); ++i) keep_chunk(raw_chunks_, start[i], start[i + 1], chunks[i].box);
     listed_triangles_ = static_cast<std::uint32_t>(body_.triangles.size());
-    for (const std::uint32_t f : changed_)
-      if (f < a_.operands.bodies[host_]->triangles.size()) keep_triangle(host_, f, true);
+    for (const std::uint32_t f : changed_) {
+      if (f >= a_.operands.bodies[host_]->triangles.size()) continue;
+      const auto& t = a_.operands.bodies[host_]->triangles[f];
+      body_.triangles.push_back({host_name(t[0]), host_name(t[2]), host_name(t[1])});
+    }
   }
-  void keep_triangle(std::uint32_t operand, std::uint32_t f, bool turned) {
-    auto t = a_.operands.bodies[operand]->triangles[f];
-    if (turned) std::swap(t[1], t[2]);
-    for (std::uint32_t& v : t) v = named(operand, v);
-    body_.triangles.push_back(t);
+  std::uint32_t count_raw(const OperandChunk& c) const {
+    std::uint32_t count = 0;
+    if (c.operand != host_ && c.begin - a_.operands.base[c.operand] < a_.operands.bodies[c.operand]->triangles.size())
+      for (std::uint32_t f = c.begin; f < c.end; ++f) count += stays(f);
+    return count;
+  }
+  std::array<std::uint32_t, 3>* copy_raw(const OperandChunk& c, std::array<std::uint32_t, 3>* next, RawCopies& copies) {
+    const Body& body = *a_.operands.bodies[c.operand];
+    auto& names = name_of_[c.operand];
+    bool at_table = false;
+    const auto corner = [&](std::uint32_t v) {
+      std::uint32_t& name = names[v];
+      if (name < listed) return name;
+      if (name == none) {
+        name = static_cast<std::uint32_t>(copies.points.size());
+        copies.points.push_back(body.grid_points[v]);
+        return name;
+      }
+      if (name == by_table) copies.table.push_back(v), name = listed;
+      at_table = true;
+      return a_.touched.vertex_of[c.operand][v] | local_bit;
+    };
+    for (std::uint32_t f = c.begin; f < c.end; ++f) {
+      if (!stays(f)) continue;
+      auto t = body.triangles[f - a_.operands.base[c.operand]];
+      if (s_.kept[a_.patch_of[f]] < 0) std::swap(t[1], t[2]);
+      at_table = false;
+      *next = {corner(t[0]), corner(t[1]), corner(t[2])};
+      if (at_table) copies.at_table.push_back(next);
+      ++next;
+    }
+    return next;
+  }
+  /// Gives the corners of copied triangles their names.
+  void name_raw(std::vector<RawCopies>& raw) {
+    std::size_t points = body_.grid_points.size() + a_.vertices.size();
+    for (const RawCopies& r : raw) points += r.points.size();
+    body_.grid_points.reserve(points);
+    for (RawCopies& r : raw) {
+      r.first = static_cast<std::uint32_t>(body_.grid_points.size());
+      body_.grid_points.append(r.points.begin(), r.points.end());
+    }
+    for (std::uint32_t o = 0; o < raw.size(); ++o)
+      for (const std::uint32_t v : raw[o].table) new_name(o, v);
+    grid::in_stretches(raw.size(), 1, [&](std::size_t o, std::size_t, std::size_t) {
+      const RawCopies& r = raw[o];
+      const auto shift = [&](std::uint32_t& name) {
+        if (name < local_bit) name += r.first;
+      };
+      if (r.first > 0 && !r.points.empty()) {
+        for (auto& t : r.triangles) std::for_each(t.begin(), t.end(), shift);
+        std::for_each(name_of_[o].begin(), name_of_[o].end(), shift);
+      }
+      for (auto* t : r.at_table)
+        for (std::uint32_t& v : *t)
+          if (v & local_bit) v = name_of_table_[v & ~local_bit];
+    });
   }
 
   /// The faces begin .. end - 1, those that stay of one chunk; short chunks that follow each other become one.

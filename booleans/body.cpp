@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/predicates.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 
@@ -42,7 +43,7 @@ Box polygon_box(const Body& body, std::uint32_t face) {
 
 /// Appends the chunks of faces of one tier.
 template <class BoxOf>
-void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
+void add_chunks_of_stretch(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
   while (begin < end) {
     WideBox all = box_of(begin);
     std::uint32_t next = begin + 1;
@@ -54,6 +55,18 @@ void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chun
     chunks.push_back({begin, next, all.box()});
     begin = next;
   }
+}
+
+template <class BoxOf>
+void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
+  if (begin >= end) return;
+  constexpr std::size_t length = std::size_t{1} << 15;
+  std::vector<std::vector<Chunk>> parts((end - begin - 1) / length);  // behind the first
+  grid::in_stretches(end - begin, length, [&](std::size_t s, std::size_t from, std::size_t to) {
+    add_chunks_of_stretch(begin + static_cast<std::uint32_t>(from), begin + static_cast<std::uint32_t>(to),
+                          s == 0 ? chunks : parts[s - 1], box_of);
+  });
+  for (const auto& p : parts) chunks.insert(chunks.end(), p.begin(), p.end());
 }
 
 }  // namespace

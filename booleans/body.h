@@ -110,14 +110,11 @@ struct Body {
   }
   /// Nothing is added for now: a patched body may share these lists and add to them in place.
   void settle();
-  /// visit(face) for every face.
+  /// visit(begin, end) for the faces, run by run.
   template <class Visit>
-  void for_faces(Visit&& visit) const {
-    if (is_packed)
-      for (std::uint32_t f = 0; f < face_count(); ++f) visit(f);
-    else
-      for (const Chunk& c : chunks)
-        for (std::uint32_t f = c.begin; f < c.end; ++f) visit(f);
+  void for_runs(Visit&& visit) const {
+    if (is_packed) return visit(0u, static_cast<std::uint32_t>(face_count()));
+    for (const Chunk& c : chunks) visit(c.begin, c.end);
   }
   /// Oriented plane of a face. Precondition: the triangle is not degenerate.
   exact::Plane plane(std::uint32_t face) const;

@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include "booleans/arrangement.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -21,9 +22,63 @@ class Connector {
     a_.far_patch.assign(a_.operands.bodies.size(), none);
   }
 
-  /// Far faces are one patch, wherever they are: their labels are known. Near ones join it over vertices of the far
-  /// faces around them.
-  void glue_over_vertices(std::uint32_t operand) {
+  /// Patches get their ids operand by operand, whichever is done first.
+  void glue(Glue how) {
+    const std::size_t n = a_.operands.bodies.size();
+    std::vector<std::uint32_t> count(n), first(n);
+    crowded_.resize(n);
+    grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+      const auto operand = static_cast<std::uint32_t>(o);
+      count[o] = how == Glue::vertices ? glue_over_vertices(operand) : glue_over_edges(operand);
+    });
+    for (std::uint32_t o = 0; o < n; ++o) {
+      first[o] = a_.node_count();
+      a_.patch_operand.insert(a_.patch_operand.end(), count[o], o);
+      if (a_.far_patch[o] != none) a_.far_patch[o] += first[o];
+    }
+    grid::in_stretches(a_.operands.chunks.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const OperandChunk& c = a_.operands.chunks[i];
+        const bool far = how == Glue::vertices && c.far;
+        if (!far && first[c.operand] == 0) continue;
+        for (std::uint32_t f = c.begin; f < c.end; ++f) {
+          if (far)
+            a_.patch_of[f] = first[c.operand];
+          else if (a_.patch_of[f] != none)
+            a_.patch_of[f] += first[c.operand];
+        }
+      }
+    });
+    for (const std::uint32_t f : a_.touched.members) a_.patch_of[f] = none;
+    for (std::uint32_t o = 0; o < n; ++o) {
+      if (!crowded_[o].empty()) a_.touched.vertex_of[o].resize(a_.operands.bodies[o]->vertex_count(), none);
+      for (const auto& [f, u, v] : crowded_[o]) add_use(o, f, table_id(o, u), table_id(o, v));
+    }
+  }
+
+  void collect_uses() {
+    for (std::uint32_t s = 0; s < a_.sheets.size(); ++s) {
+      const Sheet& sheet = a_.sheets[s];
+      for (std::uint32_t h = 0; h < 2 * sheet.elements.size(); ++h) {
+        if (sheet.facet[h] == none) continue;
+        const std::uint32_t u = sheet.origin(h), v = sheet.target(h);
+        a_.uses.push_back({std::min(u, v), std::max(u, v), a_.facet_base[s] + sheet.facet[h], sheet.plane,
+                           sheet.elements[h / 2].line, a_.element_base[s] + h / 2, u < v, false});
+      }
+    }
+    for (const UntouchedUse& u : a_.touched.untouched) add_use(u.operand, u.face, u.from, u.to);
+    sort_uses();
+    // An untouched face that hangs at two touched ones is listed twice.
+    const auto same = [&](const Use& x, const Use& y) {
+      return x.facet >= a_.facet_count() && x.low == y.low && !before(x, y) && !before(y, x);
+    };
+    a_.uses.erase(std::unique(a_.uses.begin(), a_.uses.end(), same), a_.uses.end());
+  }
+
+ private:
+  /// Numbers the patches of one operand from 0; how many there are. Far faces are one patch, wherever they are: their
+  /// labels are known. Near ones join it over vertices of the far faces around them.
+  std::uint32_t glue_over_vertices(std::uint32_t operand) {
     const Body& body = *a_.operands.bodies[operand];
     const auto chunks = a_.operands.chunks_of(operand);
     Box around;
@@ -53,29 +108,26 @@ class Connector {
             parts.unite(anchor, v);
           });
         });
+    std::uint32_t count = 0;
+    if (std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; }))
+      a_.far_patch[operand] = count++;
     std::vector<std::uint32_t> patch(body.vertex_count(), none);
-    std::uint32_t& far = a_.far_patch[operand];
-    for (const OperandChunk& c : chunks)
-      if (c.far) {
-        if (far == none) far = new_patch(operand);
-        std::fill(a_.patch_of.begin() + c.begin, a_.patch_of.begin() + c.end, far);
-      }
-    if (anchor != none) patch[parts.find(anchor)] = far;
+    if (anchor != none) patch[parts.find(anchor)] = 0;
     for (const OperandChunk& c : chunks)
       if (!c.far)
         for_untouched(c, [&](std::uint32_t f) {
           std::uint32_t first = none;
           body.for_corners(f, [&](std::uint32_t v) { first = first == none ? v : first; });
-          assign(operand, f, patch[parts.find(first)]);
+          assign(operand, f, patch[parts.find(first)], count);
         });
+    return count;
   }
 
-  void glue_over_edges(std::uint32_t operand) {
+  std::uint32_t glue_over_edges(std::uint32_t operand) {
     const Body& body = *a_.operands.bodies[operand];
     auto& adjacency = a_.touched.adjacency[operand];
     if (!adjacency || !adjacency->is_complete()) adjacency = std::make_unique<Adjacency>(body);
     Partition parts(body.face_count());
-    std::vector<std::array<std::uint32_t, 3>> crowded;  // (face, from, to) at edges of more than two faces
     for_untouched(operand, [&](std::uint32_t f) {
       body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
         int count = 0;
@@ -85,37 +137,17 @@ class Connector {
           if (g != f && !forward) mate = g;
         });
         if (count != 2 || mate == none)
-          crowded.push_back({f, u, v});
+          crowded_[operand].push_back({f, u, v});
         else if (untouched(operand, mate))
           parts.unite(f, mate);
       });
     });
+    std::uint32_t count = 0;
     std::vector<std::uint32_t> patch(body.face_count(), none);
-    for_untouched(operand, [&](std::uint32_t f) { assign(operand, f, patch[parts.find(f)]); });
-    if (!crowded.empty()) a_.touched.vertex_of[operand].resize(body.vertex_count(), none);
-    for (const auto& [f, u, v] : crowded) add_use(operand, f, table_id(operand, u), table_id(operand, v));
+    for_untouched(operand, [&](std::uint32_t f) { assign(operand, f, patch[parts.find(f)], count); });
+    return count;
   }
 
-  void collect_uses() {
-    for (std::uint32_t s = 0; s < a_.sheets.size(); ++s) {
-      const Sheet& sheet = a_.sheets[s];
-      for (std::uint32_t h = 0; h < 2 * sheet.elements.size(); ++h) {
-        if (sheet.facet[h] == none) continue;
-        const std::uint32_t u = sheet.origin(h), v = sheet.target(h);
-        a_.uses.push_back({std::min(u, v), std::max(u, v), a_.facet_base[s] + sheet.facet[h], sheet.plane,
-                           sheet.elements[h / 2].line, a_.element_base[s] + h / 2, u < v, false});
-      }
-    }
-    for (const UntouchedUse& u : a_.touched.untouched) add_use(u.operand, u.face, u.from, u.to);
-    sort_uses();
-    // An untouched face that hangs at two touched ones is listed twice.
-    const auto same = [&](const Use& x, const Use& y) {
-      return x.facet >= a_.facet_count() && x.low == y.low && !before(x, y) && !before(y, x);
-    };
-    a_.uses.erase(std::unique(a_.uses.begin(), a_.uses.end(), same), a_.uses.end());
-  }
-
- private:
   /// Order of uses with the same lower vertex.
   static bool before(const Use& x, const Use& y) {
     return std::tie(x.high, x.facet, x.left, x.plane) < std::tie(y.high, y.facet, y.left, y.plane);
@@ -147,12 +179,8 @@ class Connector {
   void for_untouched(std::uint32_t operand, Visit&& visit) {
     for (const OperandChunk& c : a_.operands.chunks_of(operand)) for_untouched(c, visit);
   }
-  std::uint32_t new_patch(std::uint32_t operand) {
-    a_.patch_operand.push_back(operand);
-    return a_.node_count() - 1;
-  }
-  void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch) {
-    if (patch == none) patch = new_patch(operand);
+  void assign(std::uint32_t operand, std::uint32_t f, std::uint32_t& patch, std::uint32_t& count) {
+    if (patch == none) patch = count++;
     a_.patch_of[a_.operands.base[operand] + f] = patch;
   }
   std::uint32_t table_id(std::uint32_t operand, std::uint32_t v) {
@@ -168,6 +196,7 @@ class Connector {
   }
 
   Arrangement& a_;
+  std::vector<std::vector<std::array<std::uint32_t, 3>>> crowded_;  // (face, from, to) at edges of more than two faces
 };
 
 }  // namespace
@@ -175,13 +204,7 @@ class Connector {
 void connect(Arrangement& a, Glue glue) {
   Connector c(a);
   c.number_facets();
-  for (std::uint32_t i = 0; i < a.operands.bodies.size(); ++i) {
-    if (glue == Glue::vertices)
-      c.glue_over_vertices(i);
-    else
-      c.glue_over_edges(i);
-  }
-  for (const std::uint32_t f : a.touched.members) a.patch_of[f] = none;
+  c.glue(glue);
   c.collect_uses();
 }
 

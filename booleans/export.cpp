@@ -2,12 +2,15 @@
 
 #include <tbb/parallel_for.h>
 
+#include <atomic>
 #include <numeric>
 
 #include "booleans/around_edge.h"
 #include "booleans/arrangement.h"
 #include "booleans/fans.h"
 #include "booleans/triangulate.h"
+#include "grid/balance.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -55,11 +58,11 @@ class Triangulator {
  public:
   explicit Triangulator(const Body& body) : body_(body) {}
 
-  /// Appends the triangles of polygon p.
-  void add(std::uint32_t p, std::vector<std::array<std::uint32_t, 3>>& out) {
+  /// Appends the corners of the triangles of polygon p.
+  void add(std::uint32_t p, std::vector<std::uint32_t>& out) {
     const std::uint32_t first = body_.polygon_loops[p], last = body_.polygon_loops[p + 1];
     if (const auto loop = body_.loop(first); last == first + 1 && loop.size() == 3) {
-      out.push_back({loop[0], loop[1], loop[2]});
+      out.insert(out.end(), loop.begin(), loop.end());
       return;
     }
     ids_.assign(body_.corners.begin() + body_.loop_corners[first], body_.corners.begin() + body_.loop_corners[last]);
@@ -75,19 +78,19 @@ class Triangulator {
     }
     const PlanePoints points(body_, body_.planes[p], ids_);
     triangles_.clear();
-    if (edges_.size() == 4 && ids_.size() == 4 && isolated_.empty() && last == first + 1 && cut_quadrilateral(points)) {
-      for (const FaceTriangle& t : triangles_) out.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
-      return;
+    if (!(edges_.size() == 4 && ids_.size() == 4 && isolated_.empty() && last == first + 1 &&
+          cut_quadrilateral(points))) {
+      [[maybe_unused]] const bool closed =
+          triangulate(points, static_cast<std::uint32_t>(ids_.size()), edges_, isolated_, triangles_);
+      assert(closed);
+      if (triangles_.size() > 1) {
+        shape_.resize(ids_.size());
+        for (std::uint32_t i = 0; i < shape_.size(); ++i) shape_[i] = points.approximate(i);
+        improve_triangles(points, edges_, shape_, triangles_);
+      }
     }
-    [[maybe_unused]] const bool closed =
-        triangulate(points, static_cast<std::uint32_t>(ids_.size()), edges_, isolated_, triangles_);
-    assert(closed);
-    if (triangles_.size() > 1) {
-      shape_.resize(ids_.size());
-      for (std::uint32_t i = 0; i < shape_.size(); ++i) shape_[i] = points.approximate(i);
-      improve_triangles(points, edges_, shape_, triangles_);
-    }
-    for (const FaceTriangle& t : triangles_) out.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+    for (const FaceTriangle& t : triangles_)
+      for (const std::uint32_t corner : t) out.push_back(ids_[corner]);
   }
 
  private:
@@ -125,8 +128,7 @@ class Triangulator {
 
 /// The triangles of some polygons, in order.
 struct Pieces {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> face;
+  std::vector<std::uint32_t> corners, face;
 };
 
 void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, Triangulated& mesh) {
@@ -136,19 +138,22 @@ void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, 
     Triangulator triangulator(body);
     Pieces& pieces = batches[b];
     for (std::size_t i = b * batch; i < std::min(polygons.size(), (b + 1) * batch); ++i) {
-      triangulator.add(polygons[i] - static_cast<std::uint32_t>(body.triangles.size()), pieces.triangles);
-      pieces.face.resize(pieces.triangles.size(), polygons[i]);
+      triangulator.add(polygons[i] - static_cast<std::uint32_t>(body.triangles.size()), pieces.corners);
+      pieces.face.resize(pieces.corners.size() / 3, polygons[i]);
     }
   });
-  std::size_t total = mesh.triangles.size();
-  for (const Pieces& p : batches) total += p.triangles.size();
-  mesh.triangles.reserve(total);
+  std::size_t total = mesh.triangle_count();
+  for (const Pieces& p : batches) total += p.face.size();
+  mesh.corners.reserve(3 * total);
   mesh.face.reserve(total);
   for (const Pieces& p : batches) {
-    mesh.triangles.insert(mesh.triangles.end(), p.triangles.begin(), p.triangles.end());
+    mesh.corners.insert(mesh.corners.end(), p.corners.begin(), p.corners.end());
     mesh.face.insert(mesh.face.end(), p.face.begin(), p.face.end());
   }
 }
+
+/// The next corner of the same triangle.
+std::uint32_t next_corner(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
 
 /// All directed edges of a mesh, triangle by triangle, sorted by their undirected edge.
 struct EdgeList {
@@ -159,12 +164,11 @@ struct EdgeList {
 
   explicit EdgeList(const Triangulated& mesh) {
     std::uint32_t n = 0;
-    for (const auto& t : mesh.triangles)
-      for (std::uint32_t v : t) n = std::max(n, v + 1);
+    for (const std::uint32_t v : mesh.corners) n = std::max(n, v + 1);
     std::vector<std::uint32_t> start(n + 1);
     const auto for_edges = [&](auto&& visit) {
-      for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
-        const std::uint32_t u = mesh.triangles[c / 3][c % 3], v = mesh.triangles[c / 3][(c + 1) % 3];
+      for (std::uint32_t c = 0; c < mesh.corners.size(); ++c) {
+        const std::uint32_t u = mesh.corners[c], v = mesh.corners[next_corner(c)];
         visit(Entry{std::min(u, v), std::max(u, v), c});
       }
     };
@@ -191,29 +195,35 @@ struct EdgeList {
 
 Triangulated triangulated(const Body& body) {
   Triangulated mesh;
+  const auto raw = static_cast<std::uint32_t>(body.triangles.size());
+  mesh.corners.reserve(3 * std::size_t{raw});
+  mesh.face.reserve(raw);
   std::vector<std::uint32_t> polygons;
-  mesh.triangles.reserve(body.triangles.size());
-  mesh.face.reserve(body.triangles.size());
-  body.for_faces([&](std::uint32_t f) {
-    if (f >= body.triangles.size()) {
-      polygons.push_back(f);
-      return;
-    }
-    mesh.triangles.push_back(body.triangles[f]);
-    mesh.face.push_back(f);
+  const auto append = [](std::vector<std::uint32_t>& list, std::uint32_t begin, std::uint32_t end) {
+    const std::size_t size = list.size();
+    list.resize(size + (end - begin));
+    std::iota(list.begin() + static_cast<std::ptrdiff_t>(size), list.end(), begin);
+  };
+  body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t middle = std::clamp(raw, begin, end);
+    append(mesh.face, begin, middle);
+    append(polygons, middle, end);
+    const auto own = grid::corners_of(std::span(body.triangles).subspan(begin, middle - begin));
+    mesh.corners.insert(mesh.corners.end(), own.begin(), own.end());
   });
   add_polygons(body, polygons, mesh);
   std::vector<std::uint8_t> used(body.vertex_count());
-  for (const auto& t : mesh.triangles)
-    for (std::uint32_t v : t) used[v] = 1;
-  mesh.source.reserve(used.size());
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v]) mesh.source.push_back(v);
-  if (mesh.source.size() == used.size()) return mesh;
+  for (const std::uint32_t v : mesh.corners) used[v] = 1;
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  mesh.source.resize(count);
+  if (count == used.size()) {
+    std::iota(mesh.source.begin(), mesh.source.end(), 0u);
+    return mesh;
+  }
   std::vector<std::uint32_t> id(used.size());
-  for (std::uint32_t i = 0; i < mesh.source.size(); ++i) id[mesh.source[i]] = i;
-  for (auto& t : mesh.triangles)
-    for (std::uint32_t& v : t) v = id[v];
+  for (std::uint32_t v = 0, i = 0; v < used.size(); ++v)
+    if (used[v]) mesh.source[i] = v, id[v] = i++;
+  for (std::uint32_t& v : mesh.corners) v = id[v];
   return mesh;
 }
 
@@ -234,10 +244,10 @@ class Separator {
 
   /// The corners of each vertex of the separated mesh.
   Partition glued() const {
-    Partition corners(3 * mesh_.triangles.size());
+    Partition corners(mesh_.corners.size());
     const auto glue = [&](const Pair& p) {
-      corners.unite(p[0], next(p[1]));
-      corners.unite(next(p[0]), p[1]);
+      corners.unite(p[0], next_corner(p[1]));
+      corners.unite(next_corner(p[0]), p[1]);
     };
     for (const Pair& p : pairs_) glue(p);
     for (const Crowd& c : crowded_)
@@ -250,7 +260,7 @@ class Separator {
     bool any = false;
     for (Crowd& c : crowded_) {
       std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-      for (const Pair& p : paired(c)) ends.push_back(std::minmax(corners.find(p[0]), corners.find(next(p[0]))));
+      for (const Pair& p : paired(c)) ends.push_back(std::minmax(corners.find(p[0]), corners.find(next_corner(p[0]))));
       std::sort(ends.begin(), ends.end());
       if (c.outside || std::adjacent_find(ends.begin(), ends.end()) == ends.end()) continue;
       c.outside = any = true;
@@ -265,9 +275,7 @@ class Separator {
     bool outside;                        // paired over the outside's wedges
   };
 
-  static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
-  std::uint32_t vertex(std::uint32_t c) const { return mesh_.triangles[c / 3][c % 3]; }
-  bool forward(std::uint32_t c) const { return vertex(c) < vertex(next(c)); }
+  bool forward(std::uint32_t c) const { return mesh_.corners[c] < mesh_.corners[next_corner(c)]; }
 
   std::vector<std::uint32_t> around(const Body& body, std::span<const EdgeList::Entry> run) const {
     std::vector<std::uint32_t> order(run.size());
@@ -304,18 +312,22 @@ class Separator {
 
 Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
   // Only vertices of several fans are split, so only their triangles take part.
-  Spokes spokes(mesh.triangles, mesh.source.size(), [](std::uint32_t) { return true; });
   std::vector<std::uint8_t> several(mesh.source.size());
-  for (std::uint32_t v = 0; v < several.size(); ++v) several[v] = !is_one_fan(spokes.at(v));
+  std::atomic<bool> any = false;
+  grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
+    Spokes spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+      if (!is_one_fan(spokes.at(v))) several[v] = any = true;
+  });
+  if (!any) return mesh;
   Triangulated part;
   part.source = mesh.source;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& c = mesh.triangles[t];
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto c = mesh.triangle(t);
     if (!several[c[0]] && !several[c[1]] && !several[c[2]]) continue;
-    part.triangles.push_back(c);
+    part.corners.insert(part.corners.end(), c.begin(), c.end());
     part.face.push_back(mesh.face[t]);
   }
-  if (part.triangles.empty()) return mesh;
 
   Separator separator(body, part);
   Partition corners = separator.glued();
@@ -326,12 +338,10 @@ Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
   }
   // Vertices keep their order; the fans of one vertex follow each other in the order of their first corners.
   std::vector<std::array<std::uint32_t, 2>> fans;  // (vertex, first corner)
-  const auto corner = [&](std::uint32_t c) { return part.triangles[c / 3][c % 3]; };
-  const auto corner_count = static_cast<std::uint32_t>(3 * part.triangles.size());
-  for (std::uint32_t c = 0; c < corner_count; ++c)
-    if (several[corner(c)] && corners.find(c) == c) fans.push_back({corner(c), c});
+  for (std::uint32_t c = 0; c < part.corners.size(); ++c)
+    if (several[part.corners[c]] && corners.find(c) == c) fans.push_back({part.corners[c], c});
   std::sort(fans.begin(), fans.end());
-  std::vector<std::uint32_t> id_of_vertex(mesh.source.size()), id_of_corner(corner_count);
+  std::vector<std::uint32_t> id_of_vertex(mesh.source.size()), id_of_corner(part.corners.size());
   std::vector<std::uint32_t> source;
   for (std::uint32_t v = 0, f = 0; v < mesh.source.size(); ++v) {
     id_of_vertex[v] = static_cast<std::uint32_t>(source.size());
@@ -342,9 +352,10 @@ Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
     }
   }
   std::uint32_t c = 0;  // corners of part come in the mesh's order
-  for (auto& t : mesh.triangles) {
-    const bool in_part = several[t[0]] || several[t[1]] || several[t[2]];
-    for (std::uint32_t& v : t) {
+  for (std::size_t t = 0; t < mesh.corners.size(); t += 3) {
+    const auto own = std::span(mesh.corners).subspan(t, 3);
+    const bool in_part = several[own[0]] || several[own[1]] || several[own[2]];
+    for (std::uint32_t& v : own) {
       v = several[v] ? id_of_corner[corners.find(c)] : id_of_vertex[v];
       c += in_part ? 1 : 0;
     }
@@ -355,14 +366,15 @@ Triangulated separated(const Body& body, Triangulated mesh, Pairing pairing) {
 
 Shells shells(const Triangulated& mesh) {
   Partition parts(mesh.source.size());
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const auto t = mesh.triangle(i);
     parts.unite(t[0], t[1]);
     parts.unite(t[0], t[2]);
   }
   Shells r;
   for (std::uint32_t v = 0; v < mesh.source.size(); ++v) r.count += parts.find(v) == v;
   // V - E + F = 2 (shells - genus), E = 3 F / 2.
-  const auto v = static_cast<std::int64_t>(mesh.source.size()), f = static_cast<std::int64_t>(mesh.triangles.size());
+  const auto v = static_cast<std::int64_t>(mesh.source.size()), f = static_cast<std::int64_t>(mesh.triangle_count());
   r.genus = static_cast<std::int64_t>(r.count) - (v - f / 2) / 2;
   return r;
 }

@@ -8,9 +8,14 @@ namespace quoin::booleans {
 
 /// A conforming triangulation of the boundary: raw triangles as they are, polygons triangulated exactly.
 struct Triangulated {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // output vertices, counter-clockwise from outside
-  std::vector<std::uint32_t> face;                      // body face of each triangle
-  std::vector<std::uint32_t> source;                    // body vertex of each output vertex
+  std::vector<std::uint32_t> corners;  // three a triangle: output vertices, counter-clockwise from outside
+  std::vector<std::uint32_t> face;     // body face of each triangle
+  std::vector<std::uint32_t> source;   // body vertex of each output vertex
+
+  std::size_t triangle_count() const { return face.size(); }
+  std::array<std::uint32_t, 3> triangle(std::size_t t) const {
+    return {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
+  }
 };
 
 /// Every body vertex in use is one output vertex; an edge may carry 4, 6, ... triangles.

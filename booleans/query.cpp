@@ -74,7 +74,9 @@ int locate(const Body& body, const RationalPoint& point) {
 std::optional<Box> bounds(const Body& body) {
   if (body.face_count() == 0) return std::nullopt;
   Box box;
-  body.for_faces([&](std::uint32_t f) { box.add(face_box(body, f)); });
+  body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t f = begin; f < end; ++f) box.add(face_box(body, f));
+  });
   return box;
 }
 

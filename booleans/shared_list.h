@@ -66,6 +66,12 @@ class SharedList {
     make_room(size_ + static_cast<std::size_t>(last - first));
     for (; first != last; ++first) items_[size_++] = *first;
   }
+  /// Appends n items, which the caller writes.
+  std::span<T> grow(std::size_t n) {
+    make_room(size_ + n);
+    size_ += n;
+    return {items_ + size_ - n, n};
+  }
   void reserve(std::size_t n) {
     if (n > end_) make_room(n);
   }

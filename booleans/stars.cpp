@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "booleans/fans.h"
+#include "grid/balance.h"
 
 namespace quoin::booleans {
 namespace {
@@ -73,7 +74,8 @@ class Stars {
   }
 
   void look_at_the_rest() {
-    Spokes spokes(mesh_.triangles, star_.size(), [&](std::uint32_t v) { return star_[v] == Star::other; });
+    Spokes spokes(grid::corners_of(mesh_.triangles), star_.size(),
+                  [&](std::uint32_t v) { return star_[v] == Star::other; });
     for (const std::uint32_t v : unproved_) {
       const std::span<Spoke> star = spokes.at(v);
       if (is_one_fan(star)) star_[v] = is_embedded(v, star) ? Star::embedded : Star::ring;

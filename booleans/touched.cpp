@@ -1,5 +1,7 @@
 #include "booleans/touched.h"
 
+#include "grid/stretches.h"
+
 namespace quoin::booleans {
 
 Operands::Operands(std::vector<const Body*> list) : bodies(std::move(list)), base{0}, first_chunk{0} {
@@ -38,21 +40,30 @@ std::uint32_t TouchedFaces::table_id(const Body& body, std::uint32_t operand, st
 
 namespace {
 
-/// Collects the touched faces of one operand.
+/// The touched faces of one operand, before planes and vertices have their ids: vertices are indices into the operand's
+/// `table_vertices`, sheets and other planes indices into `planes`, one a face first.
+struct Part {
+  std::vector<TouchedFace> faces;
+  std::vector<exact::Plane> planes;
+  std::vector<BoundaryEdge> edges;
+  std::vector<std::uint32_t> isolated;
+  std::vector<UntouchedUse> untouched;
+  std::vector<std::uint32_t> members;
+};
+
+/// Collects the touched faces of one operand. Of the outcome's lists it writes only what belongs to that operand.
 class Collector {
  public:
   /// `named`: the faces in pairs, own ids in ascending order.
-  Collector(const Operands& operands, std::uint32_t operand, std::span<const std::uint32_t> named,
-            VertexTable& vertices, PlaneTable& planes, TouchedFaces& out)
+  Collector(const Operands& operands, std::uint32_t operand, std::span<const std::uint32_t> named, TouchedFaces& out,
+            Part& part)
       : operands_(operands),
         body_(*operands.bodies[operand]),
         operand_(operand),
         base_(operands.base[operand]),
         named_(named),
-        vertices_(vertices),
-        planes_(planes),
         out_(out),
-        first_face_(out.faces.size()) {}
+        part_(part) {}
 
   void run() {
     std::vector<std::uint8_t> marked(body_.vertex_count());
@@ -89,24 +100,24 @@ class Collector {
   }
 
   void begin_face(std::uint32_t f, const exact::Plane& plane) {
-    members_.clear();
     TouchedFace face{};
     face.operand = operand_;
     face.source = f;
-    face.sheet = planes_.id(plane);
+    face.sheet = static_cast<std::uint32_t>(part_.faces.size());
     face.along = exact::is_canonical(plane);
-    face.edges_begin = static_cast<std::uint32_t>(out_.edges.size());
-    face.isolated_begin = static_cast<std::uint32_t>(out_.isolated.size());
-    out_.face_of[base_ + f] = static_cast<std::uint32_t>(out_.faces.size());
-    out_.faces.push_back(face);
-    members_.push_back(f);
+    face.edges_begin = static_cast<std::uint32_t>(part_.edges.size());
+    face.isolated_begin = static_cast<std::uint32_t>(part_.isolated.size());
+    out_.face_of[base_ + f] = face.sheet;
+    part_.faces.push_back(face);
+    part_.planes.push_back(plane);
+    members_.assign(1, f);
   }
 
   /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
   void flood(std::uint32_t t) {
     const exact::Plane plane = body_.plane(t);
     begin_face(t, plane);
-    const auto index = static_cast<std::uint32_t>(out_.faces.size() - 1);
+    const auto index = static_cast<std::uint32_t>(part_.faces.size() - 1);
     for (std::size_t i = 0; i < members_.size(); ++i) {
       const auto& c = body_.triangles[members_[i]];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -139,47 +150,62 @@ class Collector {
   }
 
   void finish_face() {
-    TouchedFace& face = out_.faces.back();
+    TouchedFace& face = part_.faces.back();
     const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
     for (std::uint32_t f : members_) {
-      out_.members.push_back(base_ + f);
+      part_.members.push_back(base_ + f);
       face.box.add(face_box(body_, f));
       if (f < triangles) continue;
       for (std::uint32_t j = body_.polygon_loops[f - triangles]; j < body_.polygon_loops[f - triangles + 1]; ++j) {
         const auto loop = body_.loop(j);
-        if (loop.size() == 1) out_.isolated.push_back(table_id(loop[0]));
+        if (loop.size() == 1) part_.isolated.push_back(index_of(loop[0]));
         for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i)
           add_edge(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
       }
     }
-    face.edges_end = static_cast<std::uint32_t>(out_.edges.size());
-    face.isolated_end = static_cast<std::uint32_t>(out_.isolated.size());
+    face.edges_end = static_cast<std::uint32_t>(part_.edges.size());
+    face.isolated_end = static_cast<std::uint32_t>(part_.isolated.size());
   }
 
-  std::uint32_t table_id(std::uint32_t v) { return out_.table_id(body_, operand_, v, vertices_); }
+  std::uint32_t index_of(std::uint32_t v) {
+    std::uint32_t& index = out_.vertex_of[operand_][v];
+    if (index == none) {
+      index = static_cast<std::uint32_t>(out_.table_vertices[operand_].size());
+      out_.table_vertices[operand_].push_back(v);
+    }
+    return index;
+  }
 
   void add_edge(std::uint32_t u, std::uint32_t v) {
-    out_.edges.push_back({table_id(u), table_id(v), none});
+    part_.edges.push_back({index_of(u), index_of(v), none});
     local_.push_back({u, v});
   }
 
-  /// Gives every edge of this operand its other plane and lists the untouched faces that hang at it.
+  static bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q || p == q.opposite(); }
+
+  /// Gives every edge its other plane and lists the untouched faces that hang at it.
   void find_other_planes() {
-    const std::size_t first = out_.edges.size() - local_.size();
-    std::size_t at = first;
-    for (std::size_t i = first_face_; i < out_.faces.size(); ++i) {
-      const TouchedFace& face = out_.faces[i];
-      for (; at < face.edges_end; ++at) {
-        BoundaryEdge& e = out_.edges[at];
-        const LocalEdge& l = local_[at - first];
+    const auto new_plane = [&](const exact::Plane& plane) {
+      part_.planes.push_back(plane);
+      return static_cast<std::uint32_t>(part_.planes.size() - 1);
+    };
+    std::uint32_t at = 0;
+    for (std::uint32_t i = 0; i < part_.faces.size(); ++i) {
+      const exact::Plane own = part_.planes[i];
+      for (; at < part_.faces[i].edges_end; ++at) {
+        BoundaryEdge& e = part_.edges[at];
+        const LocalEdge& l = local_[at];
         adjacency(l.u, l.v).faces_at_edge(l.u, l.v, [&](std::uint32_t f, bool forward) {
           const std::uint32_t g = out_.face_of[base_ + f];
           if (g == i) return;
-          const std::uint32_t plane = g == none ? planes_.id(body_.plane(f)) : out_.faces[g].sheet;
-          if (plane != face.sheet) e.other = plane;
-          if (g == none) out_.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, operand_, f});
+          if (g != none) {
+            if (!same_plane(part_.planes[g], own)) e.other = g;
+            return;
+          }
+          part_.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, operand_, f});
+          if (const exact::Plane plane = body_.plane(f); !same_plane(plane, own)) e.other = new_plane(plane);
         });
-        if (e.other == none) e.other = planes_.id(axis_parallel(l, planes_[face.sheet]));
+        if (e.other == none) e.other = new_plane(axis_parallel(l, own));
       }
     }
   }
@@ -204,50 +230,85 @@ class Collector {
   const Body& body_;
   const std::uint32_t operand_, base_;
   const std::span<const std::uint32_t> named_;
-  VertexTable& vertices_;
-  PlaneTable& planes_;
   TouchedFaces& out_;
-  const std::size_t first_face_;  // of this operand
+  Part& part_;
   std::vector<std::uint32_t> members_;
-  std::vector<LocalEdge> local_;  // of all edges of this operand, parallel to the tail of out_.edges
+  std::vector<LocalEdge> local_;  // of all edges
 };
+
+/// Gives the planes and vertices of a part their ids, and adds it.
+void add_part(const Body& body, std::uint32_t operand, const Part& part, VertexTable& vertices, PlaneTable& planes,
+              TouchedFaces& out) {
+  std::vector<std::uint32_t> plane_id, vertex_id;
+  plane_id.reserve(part.planes.size());
+  for (const exact::Plane& p : part.planes) plane_id.push_back(planes.id(p));
+  vertex_id.reserve(out.table_vertices[operand].size());
+  for (const std::uint32_t v : out.table_vertices[operand]) {
+    vertex_id.push_back(body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.derived(v)));
+    out.vertex_of[operand][v] = vertex_id.back();
+  }
+  const auto first_face = static_cast<std::uint32_t>(out.faces.size()),
+             first_edge = static_cast<std::uint32_t>(out.edges.size()),
+             first_isolated = static_cast<std::uint32_t>(out.isolated.size());
+  for (TouchedFace face : part.faces) {
+    face.sheet = plane_id[face.sheet];
+    face.edges_begin += first_edge;
+    face.edges_end += first_edge;
+    face.isolated_begin += first_isolated;
+    face.isolated_end += first_isolated;
+    out.faces.push_back(face);
+  }
+  for (const BoundaryEdge& e : part.edges) out.edges.push_back({vertex_id[e.from], vertex_id[e.to], plane_id[e.other]});
+  for (const std::uint32_t v : part.isolated) out.isolated.push_back(vertex_id[v]);
+  for (const UntouchedUse& u : part.untouched)
+    out.untouched.push_back({vertex_id[u.from], vertex_id[u.to], u.operand, u.face});
+  for (const std::uint32_t f : part.members) out.face_of[f] += first_face;
+  out.members.insert(out.members.end(), part.members.begin(), part.members.end());
+}
 
 }  // namespace
 
 TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdPair>& near, VertexTable& vertices,
                              PlaneTable& planes) {
-  std::vector<std::vector<std::uint32_t>> named(operands.bodies.size());
+  const std::size_t n = operands.bodies.size();
+  std::vector<std::vector<std::uint32_t>> named(n);
   for (const FaceIdPair& p : near)
     for (const std::uint32_t id : p) {
       const auto [o, f] = operands.local(id);
       named[o].push_back(f);
     }
   TouchedFaces out;
-  const std::size_t n = operands.bodies.size();
   out.face_of.assign(operands.face_count(), none);
   out.vertex_of.resize(n);
   out.table_vertices.resize(n);
   out.adjacency.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (named[i].empty()) continue;
-    std::sort(named[i].begin(), named[i].end());
-    named[i].erase(std::unique(named[i].begin(), named[i].end()), named[i].end());
-    out.vertex_of[i].assign(operands.bodies[i]->vertex_count(), none);
-    Collector(operands, i, named[i], vertices, planes, out).run();
+  std::vector<Part> parts(n);
+  grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+    if (named[o].empty()) return;
+    std::sort(named[o].begin(), named[o].end());
+    named[o].erase(std::unique(named[o].begin(), named[o].end()), named[o].end());
+    out.vertex_of[o].assign(operands.bodies[o]->vertex_count(), none);
+    Collector(operands, static_cast<std::uint32_t>(o), named[o], out, parts[o]).run();
+  });
+  for (std::uint32_t o = 0; o < n; ++o) {
+    add_part(*operands.bodies[o], o, parts[o], vertices, planes, out);
+    parts[o] = {};
   }
   out.edge_tree.resize(out.faces.size());
-  for (std::size_t i = 0; i < out.faces.size(); ++i) {
-    const TouchedFace& f = out.faces[i];
-    if (f.edges_end - f.edges_begin <= TouchedFaces::large) continue;
-    std::vector<BoxTree::Item> items;
-    for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
-      Box box;
-      box.add(vertices.approximation(out.edges[e].from));
-      box.add(vertices.approximation(out.edges[e].to));
-      items.push_back({box, e, e});
+  grid::in_stretches(out.faces.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const TouchedFace& f = out.faces[i];
+      if (f.edges_end - f.edges_begin <= TouchedFaces::large) continue;
+      std::vector<BoxTree::Item> items;
+      for (std::uint32_t e = f.edges_begin; e < f.edges_end; ++e) {
+        Box box;
+        box.add(vertices.approximation(out.edges[e].from));
+        box.add(vertices.approximation(out.edges[e].to));
+        items.push_back({box, e, e});
+      }
+      out.edge_tree[i] = std::make_unique<BoxTree>(items);
     }
-    out.edge_tree[i] = std::make_unique<BoxTree>(items);
-  }
+  });
   return out;
 }
 

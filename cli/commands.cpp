@@ -157,7 +157,8 @@ Result<void> format_output(Session& session, Output& output) {
     return {};
   }
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
-    const ExportOptions options = {.topology = a.topology, .float32 = format.value() == Format::stl};
+    const ExportOptions options = {
+        .topology = a.topology, .float32 = format.value() == Format::stl, .run = {.threads = a.threads}};
     return output.solid.to_triangles(options, &output.report);
   });
   if (!mesh) {

@@ -52,7 +52,8 @@ Body pairwise(const Script& s, std::uint32_t node) {
 /// The mesh's exact volume, through its own triangles.
 exact::Rational mesh_volume(const Body& body, const Triangulated& mesh) {
   exact::Rational six = 0;
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+    const auto t = mesh.triangle(n);
     std::array<std::array<exact::Rational, 3>, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
       const exact::Point u = body.point(mesh.source[t[i]]);
@@ -68,8 +69,8 @@ void check_mesh(const Body& body) {
   const Triangulated whole = triangulated(body), apart = separated(body, whole);
   std::map<std::array<std::uint32_t, 2>, int> balance, uses, use;  // uses: by body vertices; use: by output vertices
   const auto for_edges = [](const Triangulated& mesh, auto visit) {
-    for (const auto& t : mesh.triangles)
-      for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
+    for (std::size_t n = 0; n < mesh.triangle_count(); ++n)
+      for (std::size_t k = 0; k < 3; ++k) visit(mesh.triangle(n)[k], mesh.triangle(n)[(k + 1) % 3]);
   };
   for_edges(whole, [&](std::uint32_t u, std::uint32_t v) {
     balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1;

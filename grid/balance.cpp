@@ -1,31 +1,37 @@
 #include "grid/balance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+
+#include "grid/stretches.h"
 
 namespace quoin::grid {
 
-bool is_balanced(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t point_count) {
-  // Buckets by the smaller end hold the larger end and the direction.
-  std::vector<std::uint32_t> at(point_count + 2);
-  for (const auto& t : triangles) {
-    ++at[std::min(t[0], t[1]) + 2];
-    ++at[std::min(t[1], t[2]) + 2];
-    ++at[std::min(t[2], t[0]) + 2];
-  }
-  for (std::size_t i = 2; i < at.size(); ++i) at[i] += at[i - 1];
-  const auto entries = std::make_unique_for_overwrite<std::uint32_t[]>(3 * triangles.size());
-  const auto enter = [&](std::uint32_t a, std::uint32_t b) {
-    entries[at[std::min(a, b) + 1]++] = std::max(a, b) * 2 + (a > b ? 1U : 0U);
+namespace {
+
+/// The edges whose smaller end is one of first .. last - 1.
+bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count, std::size_t first, std::size_t last) {
+  const auto for_edges = [&](auto&& visit) {
+    const auto edge = [&](std::uint32_t a, std::uint32_t b) {
+      const std::size_t low = std::size_t{std::min(a, b)} - first;
+      if (low < last - first) visit(low, std::max(a, b) * 2 + (a > b ? 1U : 0U));
+    };
+    for (std::size_t c = 0; c < corners.size(); c += 3) {
+      edge(corners[c], corners[c + 1]);
+      edge(corners[c + 1], corners[c + 2]);
+      edge(corners[c + 2], corners[c]);
+    }
   };
-  for (const auto& t : triangles) {
-    enter(t[0], t[1]);
-    enter(t[1], t[2]);
-    enter(t[2], t[0]);
-  }
+  // Buckets by the smaller end hold the larger end and the direction.
+  std::vector<std::uint32_t> at(last - first + 2);
+  for_edges([&](std::size_t low, std::uint32_t) { ++at[low + 2]; });
+  for (std::size_t i = 2; i < at.size(); ++i) at[i] += at[i - 1];
+  const auto entries = std::make_unique_for_overwrite<std::uint32_t[]>(at.back());
+  for_edges([&](std::size_t low, std::uint32_t entry) { entries[at[low + 1]++] = entry; });
   // Now bucket i is [at[i], at[i + 1]). Counters are all zero between buckets: `open` is the sum of their magnitudes.
   std::vector<std::int32_t> counter(point_count);
-  for (std::size_t i = 0; i < point_count; ++i) {
+  for (std::size_t i = 0; i + first < last; ++i) {
     std::int64_t open = 0;
     for (std::uint32_t j = at[i]; j < at[i + 1]; ++j) {
       std::int32_t& c = counter[entries[j] >> 1];
@@ -36,6 +42,16 @@ bool is_balanced(std::span<const std::array<std::uint32_t, 3>> triangles, std::s
     if (open != 0) return false;
   }
   return true;
+}
+
+}  // namespace
+
+bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count) {
+  std::atomic<bool> balanced = true;
+  in_shares(point_count, [&](std::size_t first, std::size_t last) {
+    if (!is_balanced(corners, point_count, first, last)) balanced = false;
+  });
+  return balanced;
 }
 
 std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {

@@ -9,8 +9,14 @@
 
 namespace quoin::grid {
 
-/// Whether the triangles are closed. Corners are below `point_count` <= 2^31. Exact, O(points + triangles).
-bool is_balanced(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t point_count);
+/// Whether triangles, three corners each, are closed. Corners are below `point_count` <= 2^31. Exact,
+/// O(points + triangles).
+bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count);
+
+/// The corners of triangles, one after the other.
+inline std::span<const std::uint32_t> corners_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  return triangles.empty() ? std::span<const std::uint32_t>() : std::span(triangles[0].data(), 3 * triangles.size());
+}
 
 /// An edge that occurs `excess` times more from `from` to `to` than back.
 struct OpenEdge {

@@ -1,7 +1,10 @@
 #include "grid/import.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,6 +12,7 @@
 #include "grid/cut.h"
 #include "grid/seal.h"
 #include "grid/snap.h"
+#include "grid/stretches.h"
 #include "grid/weld.h"
 
 namespace quoin::grid {
@@ -30,6 +34,8 @@ struct Faces {
     if (triangles) return corners.size() / 3;
     return starts.empty() ? 0 : starts.size() - 1;
   }
+  /// A mesh of as many points as this is no closed surface, or one whose points are to be welded first.
+  bool may_be_balanced() const { return triangles && points.size() <= corners.size(); }
   std::span<const std::uint32_t> face(std::size_t i) const {
     return triangles ? corners.subspan(3 * i, 3) : corners.subspan(starts[i], starts[i + 1] - starts[i]);
   }
@@ -71,42 +77,55 @@ Result<void> check_indices(const Faces& f) {
   return Error{"bad-index", "a corner outside of all polygons names a vertex that does not exist"};
 }
 
-/// The triangles so far, and what is known of them.
-class Collector {
- public:
-  Collector(ImportedMesh& mesh, std::vector<std::uint32_t>& slivers) : mesh_(mesh), slivers_(slivers) {}
+/// What is known of triangles.
+struct Collected {
+  std::uint64_t zero_area = 0;         // without the slivers
+  std::vector<std::uint32_t> slivers;  // of three distinct collinear corners
+  int128 volume = 0;                   // six times what they enclose
 
-  void add(const Triangle& t) {
+  /// Takes note of a triangle, which is to become number `index`; false when it is nothing.
+  bool add(const std::vector<GridPoint>& points, const Triangle& t, std::size_t index) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-      ++mesh_.zero_area_triangles;
-      return;
+      ++zero_area;
+      return false;
     }
-    const GridPoint &p = mesh_.points[t[0]], &q = mesh_.points[t[1]], &r = mesh_.points[t[2]];
+    const GridPoint &p = points[t[0]], &q = points[t[1]], &r = points[t[2]];
     const std::int64_t ex = std::int64_t{q[0]} - p[0], ey = std::int64_t{q[1]} - p[1], ez = std::int64_t{q[2]} - p[2];
     const std::int64_t fx = std::int64_t{r[0]} - p[0], fy = std::int64_t{r[1]} - p[1], fz = std::int64_t{r[2]} - p[2];
     const std::int64_t a = ey * fz - ez * fy, b = ez * fx - ex * fz, c = ex * fy - ey * fx;
-    if ((a | b | c) == 0) slivers_.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
+    if ((a | b | c) == 0) slivers.push_back(static_cast<std::uint32_t>(index));
     // 3 * 2^29 * 2^61 a triangle, below 2^124 for 2^32 of them.
-    volume_ += int128(a) * p[0] + int128(b) * p[1] + int128(c) * p[2];
-    mesh_.triangles.push_back(t);
+    volume += int128(a) * p[0] + int128(b) * p[1] + int128(c) * p[2];
+    return true;
   }
-
-  /// Six times the enclosed volume.
-  int128 volume() const { return volume_; }
-
- private:
-  ImportedMesh& mesh_;
-  std::vector<std::uint32_t>& slivers_;
-  int128 volume_ = 0;
 };
 
-void add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh, Collector& collector) {
-  mesh.triangles.reserve(f.count());
-  for (std::size_t i = 0; i < f.corners.size(); i += 3) {
-    Triangle t{f.corners[i], f.corners[i + 1], f.corners[i + 2]};
-    if (!ids.empty()) t = {ids[t[0]], ids[t[1]], ids[t[2]]};
-    collector.add(t);
+/// Stretch by stretch; where triangles are nothing, those behind them move up.
+Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh) {
+  constexpr std::size_t length = std::size_t{1} << 15;
+  mesh.triangles.resize(f.count());
+  std::vector<Collected> parts(f.count() / length + 1);
+  in_stretches(f.count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    std::size_t next = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      Triangle t{f.corners[3 * i], f.corners[3 * i + 1], f.corners[3 * i + 2]};
+      if (!ids.empty()) t = {ids[t[0]], ids[t[1]], ids[t[2]]};
+      if (parts[s].add(mesh.points, t, next)) mesh.triangles[next++] = t;
+    }
+  });
+  Collected all;
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    const std::size_t begin = s * length, end = std::min(begin + length, f.count()) - parts[s].zero_area;
+    if (all.zero_area > 0)
+      std::copy(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(begin),
+                mesh.triangles.begin() + static_cast<std::ptrdiff_t>(end),
+                mesh.triangles.begin() + static_cast<std::ptrdiff_t>(begin - all.zero_area));
+    for (const std::uint32_t i : parts[s].slivers) all.slivers.push_back(i - static_cast<std::uint32_t>(all.zero_area));
+    all.zero_area += parts[s].zero_area;
+    all.volume += parts[s].volume;
   }
+  mesh.triangles.resize(f.count() - all.zero_area);
+  return all;
 }
 
 /// The face's corners as point ids, without repetitions of neighbours.
@@ -120,23 +139,25 @@ void distinct_corners(std::span<const std::uint32_t> face, const std::vector<std
   while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
 }
 
-void add_polygons(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh, Collector& collector) {
+Collected add_polygons(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh) {
   mesh.triangles.reserve(f.corners.size() - std::min(f.corners.size(), 2 * f.count()));
   Cutter cutter(mesh.points);
   std::vector<std::uint32_t> loop;
   std::vector<Triangle> pieces;
+  Collected all;
   for (std::size_t i = 0; i < f.count(); ++i) {
     distinct_corners(f.face(i), ids, loop);
-    if (loop.size() < 3) {
-      ++mesh.zero_area_triangles;
-    } else if (loop.size() == 3) {
-      collector.add({loop[0], loop[1], loop[2]});
-    } else {
-      pieces.clear();
-      if (!cutter.cut(loop, pieces)) ++mesh.nonplanar_polygons;
-      for (const Triangle& t : pieces) collector.add(t);
-    }
+    pieces.clear();
+    if (loop.size() < 3)
+      ++all.zero_area;
+    else if (loop.size() == 3)
+      pieces.push_back({loop[0], loop[1], loop[2]});
+    else if (!cutter.cut(loop, pieces))
+      ++mesh.nonplanar_polygons;
+    for (const Triangle& t : pieces)
+      if (all.add(mesh.points, t, mesh.triangles.size())) mesh.triangles.push_back(t);
   }
+  return all;
 }
 
 /// The first face, in input order, with an edge that is open; sealing and cutting keep the sum of directed edges, so
@@ -169,27 +190,35 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
   return error;
 }
 
-Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
-  if (const auto checked = check_indices(f); !checked) return checked.error();
+/// Snaps, welds and collects. `ids`: what the input's points became, empty when they are as they were.
+Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& mesh, std::vector<std::uint32_t>& ids) {
   auto snapped = snap(f.points, lattice);
   if (!snapped) return snapped.error();
-  ImportedMesh mesh;
   mesh.points = std::move(snapped.value().points);
   mesh.max_snap = snapped.value().max_snap;
   // A closed mesh has about half as many points as triangles.
-  const Weld welded = weld(mesh.points, f.points, f.corners.size() / 5 + 16);
+  Weld welded = weld(mesh.points, f.points, f.corners.size() / 5 + 16);
   mesh.merged_points = welded.merged;
+  ids = std::move(welded.ids);
+  return f.triangles ? add_triangles(f, ids, mesh) : add_polygons(f, ids, mesh);
+}
 
-  std::vector<std::uint32_t> slivers;
-  Collector collector(mesh, slivers);
-  if (f.triangles)
-    add_triangles(f, welded.ids, mesh, collector);
-  else
-    add_polygons(f, welded.ids, mesh, collector);
-  mesh.zero_area_triangles += slivers.size();
-  if (!seal(mesh.points, mesh.triangles, slivers) || !is_balanced(mesh.triangles, mesh.points.size()))
-    return open_boundary(f, welded.ids, mesh);
-  if (collector.volume() < 0)
+Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
+  if (const auto checked = check_indices(f); !checked) return checked.error();
+  ImportedMesh mesh;
+  std::vector<std::uint32_t> ids;
+  std::optional<Result<Collected>> gathered;
+  // Welding and sealing keep the balance of edges, so the input may be asked meanwhile.
+  bool balanced = false;
+  tbb::parallel_invoke([&] { balanced = f.may_be_balanced() && is_balanced(f.corners, f.points.size() / 3); },
+                       [&] { gathered = gather(f, lattice, mesh, ids); });
+  if (!*gathered) return gathered->error();
+  const Collected& all = gathered->value();
+  mesh.zero_area_triangles = all.zero_area + all.slivers.size();
+  if (!seal(mesh.points, mesh.triangles, all.slivers) ||
+      !(balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size())))
+    return open_boundary(f, ids, mesh);
+  if (all.volume < 0)
     return Error{"inside-out",
                  "the enclosed volume is negative: the faces must be counter-clockwise seen from outside"};
   return Result<ImportedMesh>(std::move(mesh));

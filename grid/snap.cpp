@@ -7,9 +7,11 @@
 
 #include "exact/ladder.h"
 #include "exact/predicates.h"
+#include "grid/stretches.h"
 
 namespace quoin::grid {
 
+using exact::GridPoint;
 using exact::int128;
 using exact::Integer;
 using exact::Rational;
@@ -29,24 +31,29 @@ double length_bound(double squared, double step) {
   return std::max(length * step * (1 + 0x1p-50), std::numeric_limits<double>::denorm_min());
 }
 
-/// Step 2^e and origin 0: scaling is exact (or underflows, far below one half). False when some point has no place.
-bool snap_scaled(std::span<const double> points, double step, Snapped& result) {
+/// How far points moved.
+struct Moves {
+  bool fit = true;     // every point has a place
+  double worst = 0;    // the largest squared length, steps
+  bool moved = false;  // some point did
+};
+
+/// Step 2^e and origin 0: scaling is exact (or underflows, far below one half).
+Moves snap_scaled(std::span<const double> points, double step, std::span<GridPoint> snapped) {
   const double scale = 1 / step;
-  double worst = 0;
-  bool moved = false;
-  for (std::size_t i = 0; i < result.points.size(); ++i) {
+  Moves moves;
+  for (std::size_t i = 0; i < snapped.size(); ++i) {
     const double* const p = &points[3 * i];
     const double x = p[0] * scale, y = p[1] * scale, z = p[2] * scale;
     const double a = nearest(x), b = nearest(y), c = nearest(z);
     // Also false for values that are not numbers; beyond 2^51 rounding is not to integers, but still monotone.
-    if (!(std::fabs(a) <= world && std::fabs(b) <= world && std::fabs(c) <= world)) return false;
-    result.points[i] = {{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)}};
+    if (!(std::fabs(a) <= world && std::fabs(b) <= world && std::fabs(c) <= world)) return {false};
+    snapped[i] = {{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)}};
     const double dx = x - a, dy = y - b, dz = z - c;  // exact
-    worst = std::max(worst, dx * dx + dy * dy + dz * dz);
-    moved = moved | (a * step != p[0]) | (b * step != p[1]) | (c * step != p[2]);
+    moves.worst = std::max(moves.worst, dx * dx + dy * dy + dz * dz);
+    moves.moved = moves.moved | (a * step != p[0]) | (b * step != p[1]) | (c * step != p[2]);
   }
-  if (moved) result.max_snap = length_bound(worst, step);
-  return true;
+  return moves;
 }
 
 /// Any other lattice.
@@ -140,27 +147,36 @@ class Snapper {
   std::array<double, 3> origin_ = {}, slack_ = {};
 };
 
-bool snap_any(std::span<const double> points, const Lattice& lattice, Snapped& result) {
-  const Snapper snapper(lattice);
-  double worst = 0;
-  bool moved = false;
-  for (std::size_t i = 0; i < result.points.size(); ++i) {
+Moves snap_any(std::span<const double> points, const Snapper& snapper, std::span<GridPoint> snapped) {
+  Moves moves;
+  for (std::size_t i = 0; i < snapped.size(); ++i) {
     double squared = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double v = points[3 * i + k];
-      if (!std::isfinite(v)) return false;
+      if (!std::isfinite(v)) return {false};
       double distance = 0;
-      const std::int32_t c = snapper(v, k, !moved, distance);
-      if (c < -exact::world || c > exact::world) return false;
-      result.points[i].c[k] = c;
+      const std::int32_t c = snapper(v, k, !moves.moved, distance);
+      if (c < -exact::world || c > exact::world) return {false};
+      snapped[i].c[k] = c;
       squared += distance * distance;
-      moved = moved | (distance != 0);
+      moves.moved = moves.moved | (distance != 0);
     }
-    worst = std::max(worst, squared);
+    moves.worst = std::max(moves.worst, squared);
   }
-  // One more factor for the step's own rounding.
-  if (moved) result.max_snap = length_bound(worst, exact::to_double(lattice.step)) * (1 + 0x1p-50);
-  return true;
+  return moves;
+}
+
+/// Snaps all points stretch by stretch.
+template <class Snap>
+Moves snap_all(std::span<const double> points, std::span<GridPoint> snapped, Snap snap) {
+  constexpr std::size_t length = std::size_t{1} << 15;
+  std::vector<Moves> parts(snapped.size() / length + 1);
+  in_stretches(snapped.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    parts[s] = snap(points.subspan(3 * begin, 3 * (end - begin)), snapped.subspan(begin, end - begin));
+  });
+  Moves all;
+  for (const Moves& m : parts) all = {all.fit && m.fit, std::max(all.worst, m.worst), all.moved || m.moved};
+  return all;
 }
 
 std::string text(double v) {
@@ -221,9 +237,18 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
   result.points.resize(points.size() / 3);
   const auto a = affine(lattice);
   const bool scaled = a && a->factor == 1 && a->denominator == 1 && lattice.origin == Lattice{}.origin;
-  const bool fits =
-      scaled ? snap_scaled(points, std::ldexp(1.0, a->exponent), result) : snap_any(points, lattice, result);
-  if (!fits) return refusal(points, lattice);
+  Moves moves;
+  if (scaled) {
+    const double step = std::ldexp(1.0, a->exponent);
+    moves = snap_all(points, result.points, [&](auto in, auto out) { return snap_scaled(in, step, out); });
+    if (moves.moved) result.max_snap = length_bound(moves.worst, step);
+  } else {
+    const Snapper snapper(lattice);
+    moves = snap_all(points, result.points, [&](auto in, auto out) { return snap_any(in, snapper, out); });
+    // One more factor for the step's own rounding.
+    if (moves.moved) result.max_snap = length_bound(moves.worst, exact::to_double(lattice.step)) * (1 + 0x1p-50);
+  }
+  if (!moves.fit) return refusal(points, lattice);
   return Result<Snapped>(std::move(result));
 }
 

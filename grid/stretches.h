@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +18,15 @@ void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
   if (stretches == 1) return visit(std::size_t{0}, std::size_t{0}, count);
   tbb::parallel_for(std::size_t{0}, stretches,
                     [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); });
+}
+
+/// visit(begin, end) for one range of 0 .. count - 1 a thread, side by side. For work that all ranges begin by looking
+/// at the same data, of which each takes its own; the result must not depend on how many there are.
+template <class Visit>
+void in_shares(std::size_t count, Visit&& visit) {
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t shares = count < 4096 ? 1 : std::min<std::size_t>(threads, 8);
+  in_stretches(count, count / shares + 1, [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
 }
 
 }  // namespace quoin::grid

@@ -122,6 +122,7 @@ struct ExportOptions {
   Topology topology = Topology::manifold;
   /// Round coordinates to float32 (what binary STL stores) instead of double before the check.
   bool float32 = false;
+  Options run = {};
 };
 
 /// What rounding to floating point did to the exported triangles.
@@ -135,7 +136,8 @@ struct ExportReport {
   bool closed = true;
 };
 
-/// Counts and measures of a solid in canonical form (see docs/overview.md); `triangles` alone counts what export writes.
+/// Counts and measures of a solid in canonical form (see docs/overview.md); `triangles` alone counts what export
+/// writes.
 struct Info {
   std::uint64_t vertices = 0, edges = 0, faces = 0, triangles = 0;
   /// Connected components and genus of the separated (manifold) boundary.
@@ -228,7 +230,7 @@ struct HalfSpace {
 /// A Boolean expression over solids, evaluated as one operation.
 class Expression {
  public:
-  Expression(const Solid& solid);          // NOLINT: implicit by design
+  Expression(const Solid& solid);           // NOLINT: implicit by design
   Expression(const HalfSpace& half_space);  // NOLINT: the points with a x + b y + c z + d <= 0
   static Expression union_of(std::vector<Expression> terms);
   static Expression intersection_of(std::vector<Expression> terms);
@@ -287,8 +289,9 @@ struct Source {
 };
 
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
-/// then the extension. `trust` is for .quoin files; meshes are proved by `build`. Errors: "missing-file", "unreadable", "unknown-format", "truncated", "bad-syntax", "bad-number",
-/// "non-finite", "bad-index", "absurd-count", "bad-quoin"; `file` is the path.
+/// then the extension. `trust` is for .quoin files; meshes are proved by `build`. Errors: "missing-file", "unreadable",
+/// "unknown-format", "truncated", "bad-syntax", "bad-number", "non-finite", "bad-index", "absurd-count", "bad-quoin";
+/// `file` is the path.
 Result<Source> read_source(const std::string& path, std::optional<Format> format = {}, Trust trust = Trust::nothing);
 
 /// Solids of sources on one common grid, in their order: `options.grid` if given, else that of the exact sources (the

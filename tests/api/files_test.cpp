@@ -111,7 +111,7 @@ TEST_F(Files, BadQuoinIsRefused) {
   bad.push_back(replaced(good, "\n1 0 0 -1 1\n", "\n-1 0 0 1 1\n"));  // turned round
   bad.push_back(replaced(good, "infinity empty", "infinity full"));   // inside out
   bad.push_back(replaced(good, "grid 1 ", "grid 2/2 "));
-  bad.push_back(both(good, box({0, 0, 0}, {1, 1, 1}).to_quoin()));   // every point twice
+  bad.push_back(both(good, box({0, 0, 0}, {1, 1, 1}).to_quoin()));  // every point twice
   const std::string wide = box({0, 0, 0}, {9, 9, 9}).to_quoin();
   bad.push_back(both(wide, box({1, 1, 1}, {2, 2, 2}).to_quoin()));   // winding number 2
   bad.push_back(both(wide, box({1, 1, 1}, {10, 2, 2}).to_quoin()));  // crossing faces

@@ -280,6 +280,7 @@ TEST(Solid, CancelAndProgress) {
   Options options;
   options.cancel = &cancel;
   EXPECT_EQ(unite({a, b}, options).error().code, "cancelled");
+  EXPECT_EQ(a.to_triangles({.run = options}).error().code, "cancelled");
   std::vector<double> seen;
   Options shown;
   shown.progress = [&](double done) { seen.push_back(done); };

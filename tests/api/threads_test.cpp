@@ -13,9 +13,9 @@ Solid imported(const Mesh& mesh, unsigned threads) {
   return Solid::from_triangles(mesh.points, mesh.triangles, options).value();
 }
 
-/// Contacts in many chunks, crossings in many sheets: both are worked in parallel.
+/// Faces in many stretches, contacts in many chunks, crossings in many sheets: all are worked in parallel.
 TEST(Threads, AnyNumberGivesTheSameBytes) {
-  const Mesh one = examples::bumpy_sphere({0, 0, 0}, 1, 20000, 1), two = examples::bumpy_sphere({0, 0, 0}, 1, 20000, 2);
+  const Mesh one = examples::bumpy_sphere({0, 0, 0}, 1, 80000, 1), two = examples::bumpy_sphere({0, 0, 0}, 1, 80000, 2);
   std::string text;
   Mesh mesh;
   for (const unsigned threads : {1u, 2u, 3u}) {
@@ -23,7 +23,9 @@ TEST(Threads, AnyNumberGivesTheSameBytes) {
     options.threads = threads;
     const Solid a = imported(one, threads), b = imported(two, threads);
     const Solid result = evaluate(Expression(a) ^ Expression(b), options).value();
-    const Mesh triangles = result.to_triangles().value();
+    ExportOptions output;
+    output.run.threads = threads;
+    const Mesh triangles = result.to_triangles(output).value();
     if (threads == 1) {
       text = result.to_quoin();
       mesh = triangles;

@@ -23,7 +23,8 @@ class Soup {
  public:
   explicit Soup(const Body& body) : at_infinity_(body.full_at_infinity ? 1 : 0) {
     const Triangulated mesh = triangulated(body);
-    for (const auto& t : mesh.triangles) {
+    for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+      const auto t = mesh.triangle(n);
       std::array<RationalPoint, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const exact::Point p = body.point(mesh.source[t[i]]);

@@ -199,8 +199,10 @@ TEST(Examples, EdgeLyingInAFace) {
 std::size_t most_on_one_edge(const Triangulated& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
   std::size_t most = 0;
-  for (const auto& t : mesh.triangles)
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+    const auto t = mesh.triangle(n);
     for (std::size_t k = 0; k < 3; ++k) most = std::max(most, ++uses[std::minmax(t[k], t[(k + 1) % 3])]);
+  }
   return most;
 }
 

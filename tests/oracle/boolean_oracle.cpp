@@ -83,12 +83,14 @@ Nef nef_of_cones(const Mesh& mesh) {
 Nef nef(const Body& body) {
   const Triangulated mesh = separated(body, triangulated(body));
   Partition parts(mesh.source.size());
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+    const auto t = mesh.triangle(n);
     parts.unite(t[0], t[1]);
     parts.unite(t[0], t[2]);
   }
   std::map<std::uint32_t, std::vector<Triangle>> shells;
-  for (const auto& t : mesh.triangles) shells[parts.find(t[0])].push_back(t);
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n)
+    shells[parts.find(mesh.triangle(n)[0])].push_back(mesh.triangle(n));
   Nef sum;
   for (const auto& [root, triangles] : shells) {
     Mesh shell;
