@@ -10,7 +10,10 @@ namespace quoin::booleans {
 /// Union-find over 0 .. n - 1; the root is the smallest member, so results do not depend on the order of unions.
 class Partition {
  public:
-  explicit Partition(std::size_t n) : parent_(n) {
+  explicit Partition(std::size_t n) { reset(n); }
+  /// Begins again.
+  void reset(std::size_t n) {
+    parent_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) parent_[i] = i;
   }
   std::uint32_t find(std::uint32_t i) {

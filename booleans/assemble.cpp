@@ -2,17 +2,11 @@
 
 #include <unordered_map>
 
+#include "booleans/regions.h"
 #include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
-
-/// A polygon in the making; corners are places (see Assembler::Place).
-struct Region {
-  exact::Plane plane;
-  std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> loop_ends;  // end of each loop in corners
-};
 
 class Assembler {
  public:
@@ -36,7 +30,7 @@ class Assembler {
     body_.full_at_infinity = s_.full_at_infinity;
     keep_raw();
     keep_polygons();
-    for (std::uint32_t i = 0; i < a_.sheets.size(); ++i) merge_sheet(i);
+    add_regions();
     drop_vertices();
     emit();
     list_chunks();
@@ -235,7 +229,7 @@ class Assembler {
     const auto out = body_.triangles.grow(start.back() - start.front());
 
     std::vector<RawCopies> raw(n);
-    grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+    grid::in_tasks(n, out.size(), [&](std::size_t o) {
       const std::uint32_t begin = a_.operands.first_chunk[o], end = a_.operands.first_chunk[o + 1];
       raw[o].triangles = out.subspan(start[begin] - start.front(), start[end] - start[begin]);
       raw[o].points.reserve(std::min(a_.operands.bodies[o]->grid_points.size(), 3 * raw[o].triangles.size()));
@@ -296,7 +290,7 @@ class Assembler {
     }
     for (std::uint32_t o = 0; o < raw.size(); ++o)
       for (const std::uint32_t v : raw[o].table) new_name(o, v);
-    grid::in_stretches(raw.size(), 1, [&](std::size_t o, std::size_t, std::size_t) {
+    grid::in_tasks(raw.size(), points, [&](std::size_t o) {
       const RawCopies& r = raw[o];
       const auto shift = [&](std::uint32_t& name) {
         if (name < local_bit) name += r.first;
@@ -321,79 +315,6 @@ class Assembler {
     } else {
       chunks.push_back({begin, end, box});
     }
-  }
-
-  /// Kept facets of one sheet: regions that hang together over cancelled elements.
-  void merge_sheet(std::uint32_t index) {
-    const Sheet& sheet = a_.sheets[index];
-    const std::uint32_t facet_base = a_.facet_base[index], element_base = a_.element_base[index];
-    const auto kept = [&](std::uint32_t h) {
-      return sheet.facet[h] == none ? 0 : int{s_.kept[facet_base + sheet.facet[h]]};
-    };
-    // An element vanishes where exactly two kept facets meet, both in this plane and equally oriented.
-    const auto cancelled = [&](std::uint32_t h) {
-      return kept(h) == kept(h ^ 1) && s_.kept_at[element_base + h / 2] == 2;
-    };
-    Partition groups(sheet.facet_count());
-    bool any = false;
-    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
-      if (kept(h) == 0) continue;
-      any = true;
-      if (cancelled(h)) groups.unite(sheet.facet[h], sheet.facet[h ^ 1]);
-    }
-    if (!any) return;
-    std::vector<std::uint32_t> region_of(sheet.facet_count(), none);
-    const auto region = [&](std::uint32_t facet) -> Region& {
-      std::uint32_t& r = region_of[groups.find(facet)];
-      if (r == none) {
-        r = static_cast<std::uint32_t>(regions_.size());
-        const exact::Plane& p = a_.planes[sheet.plane];
-        regions_.push_back({s_.kept[facet_base + facet] > 0 ? p : p.opposite(), {}, {}});
-      }
-      return regions_[r];
-    };
-    std::vector<std::uint8_t> done(sheet.facet.size());
-    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
-      if (done[h] || kept(h) == 0 || cancelled(h)) continue;
-      loop_.clear();
-      for (std::uint32_t g = h; !done[g];) {
-        done[g] = 1;
-        loop_.push_back(table_place(sheet.origin(g)));
-        g = sheet.clockwise[g ^ 1];
-        while (kept(g) != 0 && cancelled(g)) g = sheet.clockwise[g];
-      }
-      if (kept(h) < 0) std::reverse(loop_.begin(), loop_.end());
-      add_loop(region(sheet.facet[h]));
-    }
-    add_touching_points(sheet, facet_base, kept, cancelled, region);
-  }
-
-  /// Vertices inside a kept region that it does not list: they stay where other faces end in them.
-  template <class Kept, class Cancelled, class RegionOf>
-  void add_touching_points(const Sheet& sheet, std::uint32_t facet_base, Kept kept, Cancelled cancelled,
-                           RegionOf region) {
-    for (const Sheet::Isolated& i : sheet.isolated) {
-      if (s_.kept[facet_base + i.facet] == 0) continue;
-      loop_.assign(1, table_place(i.vertex));
-      add_loop(region(i.facet));
-    }
-    touching_.assign(sheet.facet.size(), 0);
-    for (std::uint32_t h = 0; h < sheet.facet.size(); ++h) {
-      if (touching_[h]) continue;
-      bool inside = true;
-      for (std::uint32_t g = h; !touching_[g]; g = sheet.clockwise[g]) {
-        touching_[g] = 1;
-        inside = inside && kept(g) != 0 && cancelled(g);
-      }
-      if (!inside) continue;
-      loop_.assign(1, table_place(sheet.origin(h)));
-      add_loop(region(sheet.facet[h]));
-    }
-  }
-
-  void add_loop(Region& r) {
-    r.corners.insert(r.corners.end(), loop_.begin(), loop_.end());
-    r.loop_ends.push_back(static_cast<std::uint32_t>(r.corners.size()));
   }
 
   /// Untouched polygons: those without a vertex of the table are copied, and named before the others.
@@ -427,9 +348,9 @@ class Assembler {
     for (const std::uint32_t f : changed_)
       if (f >= a_.operands.bodies[host_]->triangles.size()) keep(host_, f);
     for (const auto& [o, p] : near) {
-      Region& region = regions_.emplace_back(Region{kept_plane(o, p), {}, {}});
       for_kept_loops(
-          o, p, [&, o = o](std::uint32_t v) { return place(o, v); }, [&] { add_loop(region); });
+          o, p, [&, o = o](std::uint32_t v) { return place(o, v); }, [&] { regions_.add_loop(loop_); });
+      regions_.close(kept_plane(o, p));
     }
   }
   /// Copies the polygons of a chunk of which all stay as they are, far from the table; false when it is not such a one.
@@ -482,35 +403,48 @@ class Assembler {
     body_.polygon_loops.push_back(static_cast<std::uint32_t>(body_.loop_corners.size() - 1));
   }
 
-  template <class Visit>
-  static void for_loops(const Region& r, Visit&& visit) {
-    for (std::size_t j = 0, begin = 0; j < r.loop_ends.size(); begin = r.loop_ends[j++])
-      visit(std::span(r.corners).subspan(begin, r.loop_ends[j] - begin));
+  /// Regions of sheets, their corners as places.
+  void add_regions() {
+    const Regions merged = merged_regions(a_, s_);
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      merged.for_loops(i, [&](std::span<const std::uint32_t> loop) {
+        loop_.clear();
+        for (const std::uint32_t v : loop) loop_.push_back(table_place(v));
+        regions_.add_loop(loop_);
+      });
+      regions_.close(merged.planes[i]);
+    }
   }
 
   /// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
   /// through both of its edges, so both lie on the line of their planes.
   void drop_vertices() {
-    for (const Region& r : regions_) {
-      for_loops(r, [&](std::span<const std::uint32_t> loop) {
-        if (loop.size() == 1) return;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-          const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
-          add_neighbour(loop[i], next);
-          add_neighbour(next, loop[i]);
-        }
-      });
-    }
-    for (Region& r : regions_) {
-      Region kept{r.plane, {}, {}};
-      for_loops(r, [&](std::span<const std::uint32_t> loop) {
-        loop_.clear();
-        for (std::uint32_t p : loop)
-          if (loop.size() == 1 ? places_[p].used : places_[p].fixed) loop_.push_back(p);
-        if (!loop_.empty()) add_loop(kept);
-      });
-      r = std::move(kept);
-    }
+    Regions kept;
+    const auto for_all = [&](auto&& visit, auto&& after) {
+      for (std::size_t i = 0; i < regions_.size(); ++i) {
+        regions_.for_loops(i, visit);
+        after(i);
+      }
+    };
+    for_all(
+        [&](std::span<const std::uint32_t> loop) {
+          if (loop.size() == 1) return;
+          for (std::size_t i = 0; i < loop.size(); ++i) {
+            const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
+            add_neighbour(loop[i], next);
+            add_neighbour(next, loop[i]);
+          }
+        },
+        [](std::size_t) {});
+    for_all(
+        [&](std::span<const std::uint32_t> loop) {
+          loop_.clear();
+          for (const std::uint32_t p : loop)
+            if (loop.size() == 1 ? places_[p].used : places_[p].fixed) loop_.push_back(p);
+          if (!loop_.empty()) kept.add_loop(loop_);
+        },
+        [&](std::size_t i) { kept.close(regions_.planes[i]); });
+    regions_ = std::move(kept);
   }
   void add_neighbour(std::uint32_t p, std::uint32_t q) {
     Place& place = places_[p];
@@ -531,8 +465,7 @@ class Assembler {
   void emit() {
     std::vector<std::uint32_t> id(places_.size(), none);
     std::vector<std::uint8_t> needed(places_.size());
-    for (const Region& r : regions_)
-      for (std::uint32_t p : r.corners) needed[p] = 1;
+    for (const std::uint32_t p : regions_.corners) needed[p] = 1;
     for (const bool grid : {true, false}) {
       for (std::uint32_t i = 0; i < places_.size(); ++i) {
         const Place& p = places_[i];
@@ -556,18 +489,20 @@ class Assembler {
     if (host_ == none)
       for (std::uint32_t& c : body_.corners.edit()) c = final_id(c);
     const auto grid_count = static_cast<std::uint32_t>(body_.grid_points.size());
-    for (const Region& r : regions_) {
-      if (r.loop_ends.size() == 1 && r.corners.size() == 3 &&
-          std::all_of(r.corners.begin(), r.corners.end(), [&](std::uint32_t p) { return id[p] < grid_count; })) {
-        body_.triangles.push_back({id[r.corners[0]], id[r.corners[1]], id[r.corners[2]]});
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      const std::uint32_t first = regions_.loops[i];
+      const auto corners = std::span(regions_.corners).subspan(regions_.starts[first]);
+      if (regions_.loops[i + 1] == first + 1 && regions_.starts[first + 1] == regions_.starts[first] + 3 &&
+          std::all_of(corners.begin(), corners.begin() + 3, [&](std::uint32_t p) { return id[p] < grid_count; })) {
+        body_.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
         continue;
       }
-      for_loops(r, [&](std::span<const std::uint32_t> loop) {
+      regions_.for_loops(i, [&](std::span<const std::uint32_t> loop) {
         loop_.clear();
-        for (std::uint32_t p : loop) loop_.push_back(id[p]);
+        for (const std::uint32_t p : loop) loop_.push_back(id[p]);
         append_loop(loop_);
       });
-      close_polygon(r.plane);
+      close_polygon(regions_.planes[i]);
     }
   }
   /// Copied faces keep their chunks' boxes.
@@ -597,9 +532,8 @@ class Assembler {
   std::vector<std::uint32_t> changed_;  // untouched faces of the host that stay, but not as they are; own ids
   std::uint32_t listed_triangles_ = 0, listed_polygons_ = 0;  // those before are in the chunks below
   std::vector<Chunk> raw_chunks_, polygon_chunks_;            // of copied faces; polygons count from 0
-  std::vector<Region> regions_;
+  Regions regions_;                                           // corners are places
   std::vector<std::uint32_t> loop_;
-  std::vector<std::uint8_t> touching_;
 };
 
 }  // namespace

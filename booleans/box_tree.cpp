@@ -77,7 +77,7 @@ std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTr
   grid::in_stretches(given.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) given[i].first = place(items[given[i].second].box);
   });
-  grid::in_stretches(start.size() - 1, 1, [&](std::size_t g, std::size_t, std::size_t) {
+  grid::in_tasks(start.size() - 1, items.size(), [&](std::size_t g) {
     const std::size_t size = start[g + 1] - start[g];
     radix_sort(std::span(given).subspan(start[g], size), std::span(order).subspan(start[g], size));
   });

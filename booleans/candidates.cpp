@@ -102,18 +102,23 @@ class NeighbourMask {
 
 namespace {
 
-/// Items, part by part, that share a cell with an item of another group.
+/// Items, part by part, without most of those that share no cell with an item of another group.
 /// visit_part(i, visit): visit(item) for the items of part i; `all` holds the `count` items, `factor` times as many
 /// cells may be taken.
 template <class VisitPart>
 std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
                                       VisitPart visit_part) {
-  constexpr std::size_t length = 256, most_samples = 128;
+  constexpr std::size_t length = 256, most_samples = 128, few = 256;
+  if (count < few) {  // not worth it
+    std::vector<BoxTree::Item> items;
+    items.reserve(count);
+    for (std::size_t i = 0; i < parts; ++i) visit_part(i, [&](const BoxTree::Item& item) { items.push_back(item); });
+    return items;
+  }
   const std::size_t stride = 1 + parts / most_samples;
   std::vector<Box> sample;
   for (std::size_t i = 0; i < parts; i += stride)
     visit_part(i, [&](const BoxTree::Item& item) { sample.push_back(item.box); });
-  if (count == 0) return {};
   if (sample.empty()) sample.push_back(all);
   CellFilter cells(all, sample, count / sample.size() + 1, factor * count);
   std::vector<std::vector<BoxTree::Item>> kept(parts / length + 1);

@@ -27,7 +27,7 @@ class Connector {
     const std::size_t n = a_.operands.bodies.size();
     std::vector<std::uint32_t> count(n), first(n);
     crowded_.resize(n);
-    grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+    grid::in_tasks(n, a_.operands.face_count(), [&](std::size_t o) {
       const auto operand = static_cast<std::uint32_t>(o);
       count[o] = how == Glue::vertices ? glue_over_vertices(operand) : glue_over_edges(operand);
     });
@@ -161,9 +161,11 @@ class Connector {
     std::vector<Use> sorted(a_.uses.size());
     for (const Use& u : a_.uses) sorted[end[u.low]++] = u;
     a_.uses.swap(sorted);
-    for (std::size_t v = 0, begin = 0; v + 1 < end.size(); begin = end[v++])
-      std::sort(a_.uses.begin() + static_cast<std::ptrdiff_t>(begin),
-                a_.uses.begin() + static_cast<std::ptrdiff_t>(end[v]), before);
+    grid::in_stretches(a_.vertices.size(), 4096, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        std::sort(a_.uses.begin() + static_cast<std::ptrdiff_t>(v > 0 ? end[v - 1] : 0),
+                  a_.uses.begin() + static_cast<std::ptrdiff_t>(end[v]), before);
+    });
   }
 
   bool untouched(std::uint32_t operand, std::uint32_t f) const {

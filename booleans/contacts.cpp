@@ -1,8 +1,7 @@
 #include "booleans/contacts.h"
 
-#include <tbb/parallel_for.h>
-
 #include "booleans/sheet.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -285,9 +284,8 @@ Contacts find_contacts(const TouchedFaces& touched, const std::vector<FacePair>&
   // Fixed chunks, results in slots, points named in chunk order: the same ids for any number of threads.
   constexpr std::size_t chunk = 512;
   std::vector<Worker> workers((pairs.size() + chunk - 1) / chunk, Worker(touched, vertices, planes));
-  tbb::parallel_for(std::size_t{0}, workers.size(), [&](std::size_t c) {
-    for (std::size_t i = c * chunk; i < std::min(pairs.size(), (c + 1) * chunk); ++i)
-      workers[c].meet(pairs[i][0], pairs[i][1]);
+  grid::in_stretches(pairs.size(), chunk, [&](std::size_t c, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) workers[c].meet(pairs[i][0], pairs[i][1]);
   });
   Contacts all;
   for (Worker& w : workers) {

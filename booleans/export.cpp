@@ -1,7 +1,5 @@
 #include "booleans/export.h"
 
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <numeric>
 
@@ -134,10 +132,10 @@ struct Pieces {
 void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, Triangulated& mesh) {
   constexpr std::size_t batch = 64;
   std::vector<Pieces> batches((polygons.size() + batch - 1) / batch);
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+  grid::in_stretches(polygons.size(), batch, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Triangulator triangulator(body);
     Pieces& pieces = batches[b];
-    for (std::size_t i = b * batch; i < std::min(polygons.size(), (b + 1) * batch); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       triangulator.add(polygons[i] - static_cast<std::uint32_t>(body.triangles.size()), pieces.corners);
       pieces.face.resize(pieces.corners.size() / 3, polygons[i]);
     }

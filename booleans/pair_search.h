@@ -2,8 +2,6 @@
 /// The search for pairs of faces: boxes, then slabs where many boxes overlap, then an exact test, in parallel.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include "booleans/block_slabs.h"
 
 namespace quoin::booleans {
@@ -41,8 +39,8 @@ class PairSearch {
 
   template <class Visit>
   static void in_parallel(std::size_t count, Visit visit) {
-    tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t c) {
-      for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i) visit(c, i);
+    grid::in_stretches(count, chunk, [&](std::size_t c, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) visit(c, i);
     });
   }
 

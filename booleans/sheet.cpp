@@ -1,11 +1,11 @@
 #include "booleans/sheet.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <numeric>
 
 #include "booleans/drawing.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 
@@ -92,9 +92,9 @@ Sheets draw_sheets(const TouchedFaces& touched, const Contacts& contacts, Vertex
   tbb::enumerable_thread_specific<Drawing> drawings([&] { return Drawing(touched, vertices, planes); });
   constexpr std::size_t batch_size = 64;
   std::vector<Batch> batches((n + batch_size - 1) / batch_size);
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+  grid::in_stretches(n, batch_size, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Drawing& drawing = drawings.local();
-    for (auto s = static_cast<std::uint32_t>(b * batch_size); s < std::min(n, (b + 1) * batch_size); ++s) {
+    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
       sheets[s].plane = plane_of[s];
       drawing.begin(plane_of[s]);
       for (std::uint32_t f : faces[s]) drawing.add_face(f);
@@ -110,7 +110,7 @@ Sheets draw_sheets(const TouchedFaces& touched, const Contacts& contacts, Vertex
   // New points get their names in sheet order: the same ids for any number of threads.
   for (Batch& batch : batches)
     for (auto& [s, outline] : batch.open) outline.name_points(vertices);
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+  grid::in_stretches(batches.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
     Drawing& drawing = drawings.local();
     for (auto& [s, outline] : batches[b].open) {
       drawing.begin(std::move(outline));

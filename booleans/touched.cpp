@@ -66,6 +66,11 @@ class Collector {
         part_(part) {}
 
   void run() {
+    part_.faces.reserve(named_.size());
+    part_.planes.reserve(4 * named_.size());
+    part_.edges.reserve(4 * named_.size());
+    part_.members.reserve(2 * named_.size());
+    local_.reserve(4 * named_.size());
     std::vector<std::uint8_t> marked(body_.vertex_count());
     Box box;
     for (const std::uint32_t f : named_) {
@@ -283,13 +288,18 @@ TouchedFaces collect_touched(const Operands& operands, const std::vector<FaceIdP
   out.table_vertices.resize(n);
   out.adjacency.resize(n);
   std::vector<Part> parts(n);
-  grid::in_stretches(n, 1, [&](std::size_t o, std::size_t, std::size_t) {
+  grid::in_tasks(n, operands.face_count(), [&](std::size_t o) {
     if (named[o].empty()) return;
     std::sort(named[o].begin(), named[o].end());
     named[o].erase(std::unique(named[o].begin(), named[o].end()), named[o].end());
     out.vertex_of[o].assign(operands.bodies[o]->vertex_count(), none);
     Collector(operands, static_cast<std::uint32_t>(o), named[o], out, parts[o]).run();
   });
+  std::size_t faces = 0, edges = 0, members = 0;
+  for (const Part& p : parts) faces += p.faces.size(), edges += p.edges.size(), members += p.members.size();
+  out.faces.reserve(faces);
+  out.edges.reserve(edges);
+  out.members.reserve(members);
   for (std::uint32_t o = 0; o < n; ++o) {
     add_part(*operands.bodies[o], o, parts[o], vertices, planes, out);
     parts[o] = {};

@@ -14,10 +14,19 @@ namespace quoin::grid {
 /// them what is kept by stretch, are the same for any number of threads.
 template <class Visit>
 void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
+  if (count == 0) return;
   const std::size_t stretches = (count + length - 1) / length;
   if (stretches == 1) return visit(std::size_t{0}, std::size_t{0}, count);
   tbb::parallel_for(std::size_t{0}, stretches,
                     [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); });
+}
+
+/// visit(i) for 0 .. count - 1, side by side where that pays: `work` elements in all.
+template <class Visit>
+void in_tasks(std::size_t count, std::size_t work, Visit&& visit) {
+  in_stretches(count, work < 4096 ? count : 1, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(i);
+  });
 }
 
 /// visit(begin, end) for one range of 0 .. count - 1 a thread, side by side. For work that all ranges begin by looking

@@ -55,7 +55,9 @@ TEST(Assemble, PatchedResultsAreThoseOfOneArrangement) {
       forms.push_back(canonical(results.back()));
       // Another branch from the same solid takes the place behind its lists, or does not get it.
       if (random.one_in(3)) minus(results[i - 1], operands[i]);
-      if (i == 9 || i == 14) EXPECT_TRUE(forms.back() == canonical(evaluated(operands, e)));
+      if (i == 9 || i == 14) {
+        EXPECT_TRUE(forms.back() == canonical(evaluated(operands, e)));
+      }
     }
     for (std::size_t i = 0; i < results.size(); ++i) EXPECT_TRUE(canonical(results[i]) == forms[i]) << i;
     EXPECT_TRUE(canonical(packed(results.back())) == forms.back());
