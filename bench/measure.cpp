@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <array>
+#include <atomic>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdint>
@@ -34,30 +35,43 @@ using bench::Workload;
 Options run_options;
 Grid grid;
 
-/// CPU seconds a stage, in the order in which they first come.
+std::atomic<std::uint64_t> allocations = 0;
+
+/// CPU seconds and allocations a stage, in the order in which they first come.
 class Clock {
  public:
+  struct Stage {
+    std::string name;
+    double seconds = 0;
+    std::uint64_t allocations = 0;
+  };
+
   void begin(const char* stage) {
     end();
-    for (at_ = 0; at_ < stages_.size() && stages_[at_].first != stage;) ++at_;
-    if (at_ == stages_.size()) stages_.emplace_back(stage, 0.0);
+    for (at_ = 0; at_ < stages_.size() && stages_[at_].name != stage;) ++at_;
+    if (at_ == stages_.size()) stages_.push_back({stage});
     start_ = std::clock();
+    allocated_ = allocations;
   }
   void end() {
-    if (at_ < stages_.size()) stages_[at_].second += double(std::clock() - start_) / CLOCKS_PER_SEC;
+    if (at_ < stages_.size()) {
+      stages_[at_].seconds += double(std::clock() - start_) / CLOCKS_PER_SEC;
+      stages_[at_].allocations += allocations - allocated_;
+    }
     at_ = SIZE_MAX;
   }
-  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
-  double sum() const {
-    double s = 0;
-    for (const auto& [name, seconds] : stages_) s += seconds;
-    return s;
+  const std::vector<Stage>& stages() const { return stages_; }
+  Stage sum() const {
+    Stage all;
+    for (const Stage& s : stages_) all.seconds += s.seconds, all.allocations += s.allocations;
+    return all;
   }
 
  private:
-  std::vector<std::pair<std::string, double>> stages_;
+  std::vector<Stage> stages_;
   std::size_t at_ = SIZE_MAX;
   std::clock_t start_ = 0;
+  std::uint64_t allocated_ = 0;
 };
 Clock importing, combining, exporting;
 
@@ -175,17 +189,18 @@ int run(const Workload& w, std::size_t size) {
   const long peak_mb = peak_now() / 1024;  // before the law is tried
   ExportReport report;
   const Mesh mesh =
-      timed(exporting, "triangulate, round, check", [&] { return must(result.to_triangles({}, &report)); });
+      timed(exporting, "prepare", [&] { return must(result.to_triangles({.run = watched(exporting)}, &report)); });
   const exact::Counters rungs = exact::total_counters();  // before the law is tried
   const Law tried = law(w, size, solids, before, result);
   std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", w.name.c_str(), size, run_options.threads);
   const std::array<std::pair<const char*, const Clock*>, 3> clocks{
       {{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
   for (const auto& [name, clock] : clocks) {
-    std::printf(", \"%s\": %.3f, \"%s_stages\": {", name, clock->sum(), name);
+    std::printf(", \"%s\": %.3f, \"%s_allocations\": %llu, \"%s_stages\": {", name, clock->sum().seconds, name,
+                count(clock->sum().allocations), name);
     const char* comma = "";
-    for (const auto& [stage, seconds] : clock->stages()) {
-      std::printf("%s\"%s\": %.3f", comma, stage.c_str(), seconds);
+    for (const Clock::Stage& s : clock->stages()) {
+      std::printf("%s\"%s\": %.3f", comma, s.name.c_str(), s.seconds);
       comma = ", ";
     }
     std::printf("}");
@@ -202,6 +217,14 @@ int run(const Workload& w, std::size_t size) {
 }
 
 }  // namespace
+
+void* operator new(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void* const p = std::malloc(size)) return p;
+  std::abort();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 int main(int argc, char** argv) {
   const bool writes = argc == 5 && std::string(argv[1]) == "write";

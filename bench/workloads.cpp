@@ -1,5 +1,7 @@
 #include "bench/workloads.h"
 
+#include "bench/combine.h"
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -88,6 +90,31 @@ std::vector<Mesh> gear(std::size_t n) {
   return against_itself(examples::gear(gear));
 }
 
+Mesh scaled(Mesh mesh, const std::array<double, 3>& by) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] *= by[i % 3];
+  return mesh;
+}
+
+/// The part that the demo makes, of a body of n triangles: an ellipsoid minus a torus knot, a bore and nine drills,
+/// intersected with a gear.
+std::vector<Mesh> housing(std::size_t n) {
+  ImportOptions options;
+  options.grid = must(Grid::with_step("1/1048576"));
+  const auto import = [&](const Mesh& m) { return must(Solid::from_triangles(m.points, m.triangles, options)); };
+  const auto drill = [&](double x, double y, double radius, std::uint32_t sides) {
+    return import(examples::cylinder({x, y, -30}, {x, y, 30}, radius, sides));
+  };
+  examples::Gear gear;
+  gear.steps = 62;
+  Expression part = Expression(import(scaled(sphere(n, 0), {42, 42, 26}))) -
+                    import(examples::torus_knot({0, 0, 0}, {2, 9, 26, 11.5, 4}, 2000, 50)) - drill(0, 0, 11, 400);
+  for (int i = 0; i < 9; ++i) {
+    const double angle = 40 * i * std::acos(-1.0) / 180;
+    part = part - drill(28 * std::cos(angle), 28 * std::sin(angle), 2.5, 100);
+  }
+  return against_itself(must(must(evaluate(part & import(scaled(examples::gear(gear), {42, 42, 54})))).to_triangles()));
+}
+
 /// Long thin diagonal triangles, crossed by their mirror image; the boxes of nearly all pairs meet.
 std::vector<Mesh> skinny(std::size_t n) {
   const Mesh strip = examples::diagonal_strip(n, 1);
@@ -119,6 +146,7 @@ const std::vector<Workload>& workloads() {
       {"bumpy", "triangles each", 500000, unite, fine, bumpy},
       {"knot", "triangles each", 200000, unite, coarse, knot},
       {"gear", "triangles each", 6000, unite, fine, gear},
+      {"housing", "triangles of the body", 150000, unite, "1/1048576", housing},
       {"cubes", "cubes per edge", 20, unite, coarse, cubes},
       {"cubes-each", "cubes per edge", 20, unite_each, coarse, cubes},
       {"plate", "holes", 10000, subtract, coarse, plate},

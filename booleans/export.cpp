@@ -18,6 +18,7 @@ class PlanePoints {
  public:
   PlanePoints(const Body& body, const exact::Plane& plane, const std::vector<std::uint32_t>& ids)
       : plane_(plane), frame_(plane) {
+    points_.reserve(ids.size());
     for (std::uint32_t v : ids) {
       points_.push_back(body.point(v));
       all_grid_ = all_grid_ && body.is_grid(v);
@@ -47,7 +48,7 @@ class PlanePoints {
   }
   exact::Plane plane_;
   Frame frame_;
-  std::vector<exact::Point> points_;
+  Scratch<exact::Point> points_;
   bool all_grid_ = true;
 };
 

@@ -138,8 +138,8 @@ SweepChains::Chain SweepChains::join(const Chain& lower, const Chain& upper) {
   return {{lower.end[bottom], upper.end[top]}, lower.tip};
 }
 
-bool gather_segments(std::span<const FaceEdge> edges, std::span<const std::uint32_t> rank,
-                     std::vector<SweepSegment>& segments) {
+bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
+                     Scratch<SweepSegment>& segments) {
   segments.clear();
   segments.reserve(edges.size());
   for (const FaceEdge& edge : edges) {
@@ -166,7 +166,7 @@ bool gather_segments(std::span<const FaceEdge> edges, std::span<const std::uint3
   return true;
 }
 
-std::vector<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges) {
+Scratch<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges) {
   if (edges.size() < 3) return {};
   if (edges.size() == 3) {
     const auto [a, b] = edges[0];
@@ -177,12 +177,12 @@ std::vector<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<con
     return {a, b, d};
   }
   constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> next(vertex_count, none);
+  Scratch<std::uint32_t> next(vertex_count, none);
   for (const FaceEdge& edge : edges) {
     if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != none) return {};
     next[edge[0]] = edge[1];
   }
-  std::vector<std::uint32_t> loop;
+  Scratch<std::uint32_t> loop;
   loop.reserve(edges.size());
   const std::uint32_t start = edges[0][0];
   for (std::uint32_t v = start; loop.size() < edges.size(); v = next[v]) {
@@ -195,11 +195,11 @@ std::vector<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<con
 
 FlipMesh::FlipMesh(std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained)
     : triangles_(triangles), twin_(3 * triangles.size(), none), edge_(3 * triangles.size(), none) {
-  std::vector<std::uint64_t> fixed;
+  Scratch<std::uint64_t> fixed;
   fixed.reserve(constrained.size());
   for (const FaceEdge& edge : constrained) fixed.push_back(undirected_key(edge[0], edge[1]));
   std::sort(fixed.begin(), fixed.end());
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> halves;
+  Scratch<std::pair<std::uint64_t, std::uint32_t>> halves;
   halves.reserve(twin_.size());
   for (std::uint32_t half = 0; half < twin_.size(); ++half) {
     halves.push_back({undirected_key(origin(half), origin(next(half))), half});

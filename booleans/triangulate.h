@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,18 @@ namespace quoin::booleans {
 using FaceEdge = std::array<std::uint32_t, 2>;
 /// Three vertex ids, counter-clockwise.
 using FaceTriangle = std::array<std::uint32_t, 3>;
+
+/// A list that asks for no memory while it is short, as those of most faces are.
+template <class T>
+using Scratch = boost::container::small_vector<T, 16>;
+
+/// Stable. Insertion for short lists, else merging, which takes the fewest comparisons of the standard sorts.
+template <class Iterator, class Less>
+void sort_by_few_comparisons(Iterator begin, Iterator end, Less less) {
+  if (end - begin > 16) return std::stable_sort(begin, end, less);
+  for (Iterator i = begin; i != end; ++i)
+    for (Iterator j = i; j != begin && less(*j, *(j - 1)); --j) std::iter_swap(j, j - 1);
+}
 
 /// Exact predicates on points of a plane that are known by ids.
 /// `compare`: lexicographic order by (x, y), -1, 0 or +1.
@@ -67,7 +80,7 @@ class SweepStatus {
   void link_neighbours(Index below, Index above);
   void rotate_up(Index node);
 
-  std::vector<Node> nodes_;
+  Scratch<Node> nodes_;
   Index root_ = none;
   Index lowest_ = none;
 };
@@ -106,7 +119,7 @@ class SweepChains {
     std::array<Index, 2> link = {none, none};
   };
   void link(Index lower, Index upper);
-  std::vector<Node> nodes_;
+  Scratch<Node> nodes_;
 };
 
 /// An undirected segment, from the lexicographically smaller vertex to the greater one, and where the face is.
@@ -119,11 +132,11 @@ struct SweepSegment {
 
 /// The segments of directed edges, sorted by left end; `rank` maps vertex ids to their place in lexicographic order.
 /// False when an edge is a loop or is there twice.
-bool gather_segments(std::span<const FaceEdge> edges, std::span<const std::uint32_t> rank,
-                     std::vector<SweepSegment>& segments);
+bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
+                     Scratch<SweepSegment>& segments);
 
 /// The vertices of the edges when they are one loop without a repeated vertex, otherwise nothing.
-std::vector<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges);
+Scratch<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges);
 
 /// One triangulation by sweep. Inside, vertices are known by their rank in lexicographic order.
 template <PlanarPoints Points>
@@ -159,7 +172,7 @@ class FaceSweep {
 
   bool sort_vertices(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                      std::span<const std::uint32_t> isolated) {
-    std::vector<char> used(vertex_count, 0);
+    Scratch<char> used(vertex_count, 0);
     for (const FaceEdge& edge : edges) {
       if (edge[0] >= vertex_count || edge[1] >= vertex_count) return false;
       used[edge[0]] = used[edge[1]] = 1;
@@ -171,9 +184,8 @@ class FaceSweep {
     for (std::uint32_t id = 0; id < vertex_count; ++id) {
       if (used[id]) ids_.push_back(id);
     }
-    // Merge sort: the fewest comparisons of the standard sorts.
-    std::stable_sort(ids_.begin(), ids_.end(),
-                     [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
+    sort_by_few_comparisons(ids_.begin(), ids_.end(),
+                            [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
     rank_.assign(vertex_count, none);
     for (std::uint32_t place = 0; place < ids_.size(); ++place) rank_[ids_[place]] = place;
     return true;
@@ -193,7 +205,7 @@ class FaceSweep {
     first_out_ = end_out_;
     while (end_out_ < segments_.size() && segments_[end_out_].left == v) ++end_out_;
     if (end_out_ - first_out_ < 2) return;
-    std::stable_sort(
+    sort_by_few_comparisons(
         segments_.begin() + first_out_, segments_.begin() + end_out_,
         [this, v](const SweepSegment& a, const SweepSegment& b) { return orientation(v, a.right, b.right) > 0; });
   }
@@ -306,16 +318,16 @@ class FaceSweep {
   const Points& points_;
   std::vector<FaceTriangle>& triangles_;
   /// Vertex ids by rank, and ranks by vertex id (`none` for ids that are not used).
-  std::vector<std::uint32_t> ids_, rank_;
-  std::vector<SweepSegment> segments_;
+  Scratch<std::uint32_t> ids_, rank_;
+  Scratch<SweepSegment> segments_;
   SweepStatus status_{0};
   SweepChains chains_;
   /// By segment: the chain of the interval right above an active segment; none when outside.
-  std::vector<Chain> interval_;
+  Scratch<Chain> interval_;
   /// By rank: how many segments end there, and one of them that is or was active.
-  std::vector<std::uint32_t> ending_count_, ending_;
+  Scratch<std::uint32_t> ending_count_, ending_;
   /// The vertex being visited: segments that end and start there, the active one below, the chains on both sides.
-  std::vector<std::uint32_t> ended_;
+  Scratch<std::uint32_t> ended_;
   std::uint32_t first_out_ = 0, end_out_ = 0;
   std::uint32_t below_ = none;
   Chain lower_, upper_;
@@ -323,7 +335,7 @@ class FaceSweep {
 
 /// Triangles of a strictly convex loop in zigzag. False, with nothing appended, when a corner is not strictly convex.
 template <PlanarPoints Points>
-bool triangulate_convex(const Points& points, std::span<const std::uint32_t> loop,
+bool triangulate_convex(const Points& points, const Scratch<std::uint32_t>& loop,
                         std::vector<FaceTriangle>& triangles) {
   const std::size_t count = loop.size();
   if (count < 3) return false;
@@ -387,9 +399,9 @@ class FlipMesh {
 
   std::span<FaceTriangle> triangles_;
   /// By half-edge; `none` for edges that must stay.
-  std::vector<std::uint32_t> twin_, edge_;
+  Scratch<std::uint32_t> twin_, edge_;
   /// By edge: one of its two half-edges.
-  std::vector<std::uint32_t> half_of_;
+  Scratch<std::uint32_t> half_of_;
 };
 
 /// Whether the other diagonal of the quadrilateral a, d, b, c is clearly better than a b, by the Delaunay criterion in
@@ -406,8 +418,8 @@ void improve_triangles(const Points& points, std::span<const FaceEdge> edges,
                        std::span<const std::array<double, 2>> approximate, std::span<FaceTriangle> triangles) {
   constexpr unsigned char max_flips = 8;
   FlipMesh mesh(triangles, edges);
-  std::vector<unsigned char> flips(mesh.edge_count(), 0), waiting(mesh.edge_count(), 1);
-  std::vector<std::uint32_t> queue(mesh.edge_count());
+  Scratch<unsigned char> flips(mesh.edge_count(), 0), waiting(mesh.edge_count(), 1);
+  Scratch<std::uint32_t> queue(mesh.edge_count());
   for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) queue[edge] = edge;
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const std::uint32_t edge = queue[head];
