@@ -166,31 +166,21 @@ bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_
   return true;
 }
 
-Scratch<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges) {
-  if (edges.size() < 3) return {};
-  if (edges.size() == 3) {
-    const auto [a, b] = edges[0];
-    const auto [c, d] = edges[1][0] == b ? edges[1] : edges[2];
-    const auto [e, f] = edges[1][0] == b ? edges[2] : edges[1];
-    if (std::max({a, b, d}) >= vertex_count || a == b || b == d || d == a) return {};
-    if (c != b || e != d || f != a) return {};
-    return {a, b, d};
-  }
+bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop) {
   constexpr std::uint32_t none = UINT32_MAX;
+  loop.clear();
+  if (edges.size() < 3) return false;
   Scratch<std::uint32_t> next(vertex_count, none);
   for (const FaceEdge& edge : edges) {
-    if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != none) return {};
+    if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != none) return false;
     next[edge[0]] = edge[1];
   }
-  Scratch<std::uint32_t> loop;
-  loop.reserve(edges.size());
   const std::uint32_t start = edges[0][0];
   for (std::uint32_t v = start; loop.size() < edges.size(); v = next[v]) {
-    if (v == none || (v == start && !loop.empty())) return {};
+    if (v == none || (v == start && !loop.empty())) return false;
     loop.push_back(v);
   }
-  if (next[loop.back()] != start) return {};
-  return loop;
+  return next[loop.back()] == start;
 }
 
 FlipMesh::FlipMesh(std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained)

@@ -135,8 +135,8 @@ struct SweepSegment {
 bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
                      Scratch<SweepSegment>& segments);
 
-/// The vertices of the edges when they are one loop without a repeated vertex, otherwise nothing.
-Scratch<std::uint32_t> single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges);
+/// The vertices of the edges, when they are one loop without a repeated vertex; else false.
+bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop);
 
 /// One triangulation by sweep. Inside, vertices are known by their rank in lexicographic order.
 template <PlanarPoints Points>
@@ -369,7 +369,9 @@ template <PlanarPoints Points>
 [[nodiscard]] bool triangulate(const Points& points, std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                                std::span<const std::uint32_t> isolated, std::vector<FaceTriangle>& triangles) {
   const std::size_t before = triangles.size();
-  if (isolated.empty() && triangulate_convex(points, single_loop(vertex_count, edges), triangles)) return true;
+  Scratch<std::uint32_t> loop;
+  if (isolated.empty() && single_loop(vertex_count, edges, loop) && triangulate_convex(points, loop, triangles))
+    return true;
   if (FaceSweep<Points>(points, triangles).run(vertex_count, edges, isolated)) return true;
   triangles.resize(before);
   return false;
