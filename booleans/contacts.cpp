@@ -111,7 +111,7 @@ class Worker {
     const int left = turn * ((su < 0 && sv >= 0) - (su >= 0 && sv < 0));
     const int right = turn * ((su <= 0 && sv > 0) - (su > 0 && sv <= 0));
     if (su * sv < 0) {
-      stops.push_back({crossing(f, edge, planes_[sheet]), left, right, false});
+      stops.push_back({crossing(f, edge, sheet), left, right, false});
     } else {
       if (su == 0) stops.push_back({edge.from, left, right, false});
       if (sv == 0) stops.push_back({edge.to, su == 0 ? 0 : left, su == 0 ? 0 : right, false});
@@ -216,14 +216,20 @@ class Worker {
     std::reverse(trace.stops.begin(), trace.stops.end());
   }
 
-  std::uint32_t crossing(const TouchedFace& f, const BoundaryEdge& e, const exact::Plane& q) {
-    if (vertices_.is_grid(e.from) && vertices_.is_grid(e.to)) {
-      const exact::GridPoint u = vertices_.grid_point(e.from), v = vertices_.grid_point(e.to);
+  /// Both faces at an edge ask for its crossing with a plane, mostly soon after each other.
+  std::uint32_t crossing(const TouchedFace& f, const BoundaryEdge& e, std::uint32_t plane) {
+    const std::uint32_t low = std::min(e.from, e.to), high = std::max(e.from, e.to);
+    Crossing& known = crossings_[(low * 31 + high * 17 + plane) % crossings_.size()];
+    if (known.low == low && known.high == high && known.plane == plane) return known.point;
+    const exact::Plane& q = planes_[plane];
+    if (vertices_.is_grid(low) && vertices_.is_grid(high)) {
+      const exact::GridPoint u = vertices_.grid_point(low), v = vertices_.grid_point(high);
       points.push_back(exact::meet(u, exact::value(q, u), v, exact::value(q, v)));
     } else {
       points.push_back(*exact::meet(planes_[f.sheet], planes_[e.other], q));
     }
-    return static_cast<std::uint32_t>(points.size() - 1) | local_bit;
+    known = {low, high, plane, static_cast<std::uint32_t>(points.size() - 1) | local_bit};
+    return known.point;
   }
 
   /// Intersects the two closed sets on the line and posts what is left to both sheets.
@@ -258,9 +264,14 @@ class Worker {
     contacts.points.push_back({sheet_g, v});
   }
 
+  struct Crossing {
+    std::uint32_t low = none, high = none, plane = none, point = none;
+  };
+
   const TouchedFaces& touched_;
   const VertexTable& vertices_;
   const PlaneTable& planes_;
+  std::array<Crossing, 256> crossings_;  // the last ones, by a hash
   int along_ = 0;
   Trace on_f_, on_g_;
 };

@@ -230,7 +230,11 @@ void Drawing::sort_around_vertices() {
   clockwise_.resize(rank_.size());
   for (std::size_t v = 0; v + 1 < first_out_.size(); ++v) {
     const std::uint32_t begin = first_out_[v], end = first_out_[v + 1];
-    if (end - begin > 1) std::sort(out_.begin() + begin, out_.begin() + end, earlier);
+    if (end - begin == 2) {
+      if (earlier(out_[begin + 1], out_[begin])) std::swap(out_[begin], out_[begin + 1]);
+    } else if (end - begin > 2) {
+      std::sort(out_.begin() + begin, out_.begin() + end, earlier);
+    }
     for (std::uint32_t i = begin; i < end; ++i) clockwise_[out_[i]] = out_[i > begin ? i - 1 : end - 1];
   }
 }

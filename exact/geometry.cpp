@@ -1,5 +1,6 @@
 #include "exact/geometry.h"
 
+#include <bit>
 #include <numeric>
 
 namespace quoin::exact {
@@ -102,7 +103,8 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
     // q >= 2^61 has at least 8 bits below the 53 kept ones, so its lowest bit can carry "something is left".
     rounded = static_cast<double>(q | (r.sign() != 0 ? 1U : 0U));
   }
-  const double result = __builtin_ldexp(rounded, scale);
+  // Below 2^251 over below 2^189, both at least 1: |scale| < 320, so the factor and the result are normal.
+  const double result = rounded * std::bit_cast<double>(static_cast<std::uint64_t>(scale + 1023) << 52);
   return numerator.negative() ? -result : result;
 }
 
