@@ -78,7 +78,7 @@ class BlockSlabs {
   Reach block_reach(std::uint32_t block, const Normal& n) const;
   bool bundles_apart(std::uint32_t x, std::uint32_t y) const;
   Slab slab(std::uint32_t block) const;
-  /// How far along a line a face reaches within a slab, and a little more. Precondition: the face meets the slab.
+  /// How far along a line a face reaches within a slab, and a little more; empty where it does not meet the slab.
   Interval within(std::uint32_t face, const Slab& slab, const Normal& line) const;
   LanePairs apart_along_line(std::uint32_t x, std::uint32_t y, LanePairs left) const;
 
