@@ -120,17 +120,18 @@ Effects count_effects(const Body& body, const Triangulated& mesh, const std::vec
 Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options,
                       ExportReport* report) {
   // False when the run was cancelled.
-  const auto begin = [&](const char* stage) {
+  const auto begin = [&](const char* stage, double fraction) {
     if (options.run.stage) options.run.stage(stage);
+    if (options.run.progress) options.run.progress(fraction);
     return !options.run.cancel || !options.run.cancel->load(std::memory_order_relaxed);
   };
   const Error cancelled{"cancelled", "the export was cancelled"};
-  if (!begin("triangulate")) return cancelled;
+  if (!begin("triangulate", 0)) return cancelled;
   Triangulated mesh = booleans::triangulated(body);
-  if (!begin("separate")) return cancelled;
+  if (!begin("separate", 0.4)) return cancelled;
   if (options.topology == Topology::manifold)
     mesh = booleans::separated(body, std::move(mesh), booleans::Pairing::by_distinct_edges);
-  if (!begin("round")) return cancelled;
+  if (!begin("round", 0.7)) return cancelled;
   Mesh out;
   out.points = rounded_points(body, lattice, mesh.source, options.float32);
   if (!std::all_of(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); }))
@@ -147,6 +148,7 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
                grid::is_balanced(mesh.corners, mesh.source.size())};
   }
   out.triangles = std::move(mesh.corners);
+  if (options.run.progress) options.run.progress(1);
   return out;
 }
 

@@ -158,7 +158,7 @@ Result<void> format_output(Session& session, Output& output) {
   }
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
     const ExportOptions options = {
-        .topology = a.topology, .float32 = format.value() == Format::stl, .run = {.threads = a.threads}};
+        .topology = a.topology, .float32 = format.value() == Format::stl, .run = session.options("exporting")};
     return output.solid.to_triangles(options, &output.report);
   });
   if (!mesh) {

@@ -197,7 +197,7 @@ class Solid {
   /// Exact, for any three finite doubles in model units.
   Location classify(const std::array<double, 3>& point) const;
 
-  /// Triangles, correctly rounded. Errors: "unbounded".
+  /// Triangles, correctly rounded. Errors: "unbounded", "out-of-range", "cancelled".
   Result<Mesh> to_triangles(const ExportOptions& options = {}, ExportReport* report = nullptr) const;
   /// The exact solid as text in canonical order: equal point sets on one grid give equal bytes.
   std::string to_quoin() const;

@@ -281,6 +281,12 @@ TEST(Solid, CancelAndProgress) {
   options.cancel = &cancel;
   EXPECT_EQ(unite({a, b}, options).error().code, "cancelled");
   EXPECT_EQ(a.to_triangles({.run = options}).error().code, "cancelled");
+  options.cancel = nullptr;
+  std::vector<double> fractions;
+  options.progress = [&](double f) { fractions.push_back(f); };
+  EXPECT_TRUE(a.to_triangles({.run = options}));
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1);
   std::vector<double> seen;
   Options shown;
   shown.progress = [&](double done) { seen.push_back(done); };
