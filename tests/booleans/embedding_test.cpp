@@ -87,8 +87,9 @@ TEST(Embedding, TwoBodiesAreCleanWhereTheirBooleanHasTheSameFaces) {
     EXPECT_EQ(!embedding_fault(both), clean) << embedding_fault(both).value_or("");
     ++seen[2 * (cavity ? 1 : 0) + (clean ? 1 : 0)];
   }
-  if (case_count(1500) >= 1500)
+  if (case_count(1500) >= 1500) {
     for (int count : seen) EXPECT_GT(count, 4);
+  }
 }
 
 TEST(Embedding, NamedCases) {
