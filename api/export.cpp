@@ -1,4 +1,3 @@
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include "booleans/export.h"
 #include "exact/predicates.h"
 #include "grid/balance.h"
+#include "grid/stretches.h"
 
 namespace quoin {
 
@@ -28,8 +28,8 @@ std::vector<double> rounded_points(const Body& body, const grid::Lattice& lattic
   const auto round = [&](const auto& p, int k) -> double {
     return to_float ? rounder.to_float(p, k) : rounder.to_double(p, k);
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, source.size(), 1024), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  grid::in_stretches(source.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = source[i];
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);

@@ -419,31 +419,25 @@ class Assembler {
   /// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
   /// through both of its edges, so both lie on the line of their planes.
   void drop_vertices() {
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      regions_.for_loops(r, [&](std::span<const std::uint32_t> loop) {
+        if (loop.size() == 1) return;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+          const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
+          add_neighbour(loop[i], next);
+          add_neighbour(next, loop[i]);
+        }
+      });
     Regions kept;
-    const auto for_all = [&](auto&& visit, auto&& after) {
-      for (std::size_t i = 0; i < regions_.size(); ++i) {
-        regions_.for_loops(i, visit);
-        after(i);
-      }
-    };
-    for_all(
-        [&](std::span<const std::uint32_t> loop) {
-          if (loop.size() == 1) return;
-          for (std::size_t i = 0; i < loop.size(); ++i) {
-            const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
-            add_neighbour(loop[i], next);
-            add_neighbour(next, loop[i]);
-          }
-        },
-        [](std::size_t) {});
-    for_all(
-        [&](std::span<const std::uint32_t> loop) {
-          loop_.clear();
-          for (const std::uint32_t p : loop)
-            if (loop.size() == 1 ? places_[p].used : places_[p].fixed) loop_.push_back(p);
-          if (!loop_.empty()) kept.add_loop(loop_);
-        },
-        [&](std::size_t i) { kept.close(regions_.planes[i]); });
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      regions_.for_loops(r, [&](std::span<const std::uint32_t> loop) {
+        loop_.clear();
+        for (const std::uint32_t p : loop)
+          if (loop.size() == 1 ? places_[p].used : places_[p].fixed) loop_.push_back(p);
+        if (!loop_.empty()) kept.add_loop(loop_);
+      });
+      kept.close(regions_.planes[r]);
+    }
     regions_ = std::move(kept);
   }
   void add_neighbour(std::uint32_t p, std::uint32_t q) {

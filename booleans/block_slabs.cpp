@@ -19,6 +19,14 @@ std::int64_t value(const std::array<std::int64_t, 3>& n, const exact::GridPoint&
   return n[0] * p.c[0] + n[1] * p.c[1] + n[2] * p.c[2];
 }
 
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+std::array<double, 3> doubles(const std::array<std::int64_t, 3>& n) {
+  return {double(n[0]), double(n[1]), double(n[2])};
+}
+
 /// In the direction of d, components at most `size`.
 std::array<std::int64_t, 3> scaled(const std::array<double, 3>& d, int size) {
   const double longest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
@@ -71,11 +79,7 @@ BlockSlabs::Interval BlockSlabs::within(std::uint32_t face, const Slab& slab, co
 
 LanePairs BlockSlabs::apart_along_line(std::uint32_t x, std::uint32_t y, LanePairs left) const {
   const Slab &a = slabs_[slab_of_[x]], &b = slabs_[slab_of_[y]];
-  std::array<double, 3> d{};
-  for (std::size_t k = 0; k < 3; ++k)
-    d[k] = double(a.normal[(k + 1) % 3]) * double(b.normal[(k + 2) % 3]) -
-           double(a.normal[(k + 2) % 3]) * double(b.normal[(k + 1) % 3]);
-  const Normal line = scaled(d, (1 << 30) - 1);
+  const Normal line = scaled(cross(doubles(a.normal), doubles(b.normal)), (1 << 30) - 1);
   std::array<Interval, BoxBlock::width> columns{};
   for (std::uint32_t j = begin(y); j < end(y); ++j) columns[j - begin(y)] = within(j, a, line);
   LanePairs r = 0;
@@ -107,8 +111,7 @@ BlockSlabs::Reach BlockSlabs::block_reach(std::uint32_t block, const Normal& n) 
 /// Components of the direction are below 2 * 2^28.
 bool BlockSlabs::bundles_apart(std::uint32_t x, std::uint32_t y) const {
   const Normal &u = slabs_[slab_of_[x]].along, &v = slabs_[slab_of_[y]].along;
-  Normal n{};
-  for (std::size_t k = 0; k < 3; ++k) n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+  const Normal n = cross(u, v);
   return block_reach(x, n).apart(block_reach(y, n));
 }
 
@@ -119,7 +122,7 @@ BlockSlabs::Slab BlockSlabs::slab(std::uint32_t block) const {
   for (std::uint32_t i = begin(block); i < end(block); ++i) {
     const auto& [body, f] = faces_[i];
     const exact::Plane p = body->sign_plane(f);
-    const std::array<double, 3> normal{double(p.n[0]), double(p.n[1]), double(p.n[2])};
+    const std::array<double, 3> normal = doubles(p.n);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];
     area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     if (!faces_[i].is_raw()) {

@@ -2,7 +2,7 @@
 /// Slabs around blocks of eight faces: what tells long thin faces apart whose boxes all overlap.
 #pragma once
 
-#include <cmath>
+#include <limits>
 
 #include "booleans/box_tree.h"
 
@@ -42,32 +42,26 @@ class BlockSlabs {
   // Components below 2^30 and coordinates up to 2^29 + 1 make values below 2^61: all exact.
   using Normal = std::array<std::int64_t, 3>;
   /// How far faces reach along a direction.
-  struct Reach {
-    std::int64_t low = INT64_MAX, high = INT64_MIN;
-    void add(std::int64_t x) {
+  template <class Number>
+  struct Range {
+    Number low = std::numeric_limits<Number>::max(), high = std::numeric_limits<Number>::lowest();
+    void add(Number x) {
       low = std::min(low, x);
       high = std::max(high, x);
     }
-    void add(const Reach& r) {
+    void add(const Range& r) {
       low = std::min(low, r.low);
       high = std::max(high, r.high);
     }
-    bool apart(const Reach& r) const { return high < r.low || r.high < low; }
+    bool apart(const Range& r) const { return high < r.low || r.high < low; }
   };
+  using Reach = Range<std::int64_t>;
+  using Interval = Range<double>;  // bounds
   struct Slab {
     Normal normal;
     Reach reach;
     Normal along;    // of the longest edge of a triangle, components below 2^14
     bool is_bundle;  // the triangles are long and thin
-  };
-
-  struct Interval {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    void add(double x) {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-    bool apart(const Interval& i) const { return high < i.low || i.high < low; }
   };
 
   std::uint32_t begin(std::uint32_t block) const { return block * BoxBlock::width; }

@@ -98,10 +98,6 @@ class NeighbourMask {
   std::vector<Block> corners_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Items, part by part, without most of those that share no cell with an item of another group.
 /// visit_part(i, visit): visit(item) for the items of part i; `all` holds the `count` items, `factor` times as many
 /// cells may be taken.
@@ -129,7 +125,7 @@ std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, cons
         kept[s].push_back(item);
       });
   });
-  grid::in_stretches(kept.size(), 1, [&](std::size_t s, std::size_t, std::size_t) {
+  grid::in_tasks(kept.size(), count, [&](std::size_t s) {
     std::erase_if(kept[s], [&](const BoxTree::Item& item) { return !cells.is_shared(item.box); });
   });
   std::size_t total = 0;

@@ -1,13 +1,12 @@
 #include "booleans/parts.h"
 
-#include <tbb/parallel_for.h>
-
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "booleans/box_tree.h"
 #include "booleans/query.h"
+#include "grid/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -137,7 +136,7 @@ class Reduction {
   }
 
   Result<void> combine() {
-    tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) {
+    grid::in_stretches(groups_.size(), 1, [&](std::size_t g, std::size_t, std::size_t) {
       Group& group = groups_[g];
       const auto& first = expression_.nodes[group.leaves[0]];
       std::vector<const Body*> bodies;

@@ -29,10 +29,19 @@ std::vector<Chunk> Operands::chunks_meeting(std::uint32_t operand, const Box& bo
   return found;
 }
 
+namespace {
+
+/// The table id of a body's vertex.
+std::uint32_t entered(const Body& body, std::uint32_t v, VertexTable& vertices) {
+  return body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.derived(v));
+}
+
+}  // namespace
+
 std::uint32_t TouchedFaces::table_id(const Body& body, std::uint32_t operand, std::uint32_t v, VertexTable& vertices) {
   std::uint32_t& id = vertex_of[operand][v];
   if (id == none) {
-    id = body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.derived(v));
+    id = entered(body, v, vertices);
     table_vertices[operand].push_back(v);
   }
   return id;
@@ -249,7 +258,7 @@ void add_part(const Body& body, std::uint32_t operand, const Part& part, VertexT
   for (const exact::Plane& p : part.planes) plane_id.push_back(planes.id(p));
   vertex_id.reserve(out.table_vertices[operand].size());
   for (const std::uint32_t v : out.table_vertices[operand]) {
-    vertex_id.push_back(body.is_grid(v) ? vertices.id(body.grid_points[v]) : vertices.id(body.derived(v)));
+    vertex_id.push_back(entered(body, v, vertices));
     out.vertex_of[operand][v] = vertex_id.back();
   }
   const auto first_face = static_cast<std::uint32_t>(out.faces.size()),
