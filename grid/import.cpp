@@ -1,7 +1,5 @@
 #include "grid/import.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cassert>
 #include <optional>
@@ -210,8 +208,12 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
   std::optional<Result<Collected>> gathered;
   // Welding and sealing keep the balance of edges, so the input may be asked meanwhile.
   bool balanced = false;
-  tbb::parallel_invoke([&] { balanced = f.may_be_balanced() && is_balanced(f.corners, f.points.size() / 3); },
-                       [&] { gathered = gather(f, lattice, mesh, ids); });
+  in_tasks(2, f.corners.size(), [&](std::size_t task) {
+    if (task == 0)
+      balanced = f.may_be_balanced() && is_balanced(f.corners, f.points.size() / 3);
+    else
+      gathered = gather(f, lattice, mesh, ids);
+  });
   if (!*gathered) return gathered->error();
   const Collected& all = gathered->value();
   mesh.zero_area_triangles = all.zero_area + all.slivers.size();
