@@ -9,6 +9,7 @@
 #include "booleans/body.h"
 #include "grid/grid.h"
 #include "quoin/quoin.h"
+#include "rounding/motion.h"
 
 namespace quoin {
 
@@ -34,8 +35,13 @@ struct Expression::Node {
   ~Node();
 };
 
+struct Motion::Data {
+  rounding::Motion motion;
+};
+
 struct Access {
   using Node = Expression::Node;
+  using ModelNode = Model::Node;
 
   static const grid::Lattice& lattice(const Grid& grid) { return grid.data_->lattice; }
   static const grid::Lattice& lattice(const Solid& solid) { return lattice(solid.grid_); }
@@ -49,6 +55,18 @@ struct Access {
   static const booleans::Body& operand(const Solid& solid);
   /// Equal identities are equal bodies; nullptr is the empty one.
   static const booleans::Body* identity(const Solid& solid) { return solid.body_.get(); }
+
+  static Motion motion(rounding::Motion motion) {
+    return Motion(std::make_shared<const Motion::Data>(Motion::Data{std::move(motion)}));
+  }
+  static const rounding::Motion& motion(const Motion& motion) {
+    static const rounding::Motion identity;
+    return motion.data_ ? motion.data_->motion : identity;
+  }
+
+  /// nullptr for the empty model.
+  static const std::shared_ptr<const ModelNode>& node(const Model& model) { return model.node_; }
+  static Model model(std::shared_ptr<const ModelNode> node) { return Model(std::move(node)); }
 
   /// nullptr where an expression was moved from: no terms.
   static const Node* node(const Expression& expression) { return expression.node_.get(); }

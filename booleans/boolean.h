@@ -26,6 +26,7 @@ Result<Body> evaluate(std::span<const Body* const> operands, const Expression& e
 
 /// A clean body with the points of winding number > 0 of a closed but otherwise arbitrary triangle mesh (B1 alone, raw
 /// triangles without zero area). `crossings` counts the pairs of faces that met out of place.
+/// A single embedded surface is taken as it is: it must not be inside out.
 Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run = {});
 
 }  // namespace quoin::booleans

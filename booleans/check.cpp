@@ -84,7 +84,7 @@ void check(const Arrangement& a) {
 }
 
 void check(const Body& body) {
-  const auto message = fault(body);
+  const auto message = fault(body, exact::world + 1);
   require(!message, message ? message->c_str() : "");
   std::uint32_t next = 0;
   for (const Chunk& c : body.chunks) {

@@ -140,12 +140,12 @@ std::optional<std::string> balance_fault(const Body& body) {
 
 }  // namespace
 
-std::optional<std::string> fault(const Body& body) {
-  if (!body.is_packed) return fault(packed(body));
+std::optional<std::string> fault(const Body& body, std::int32_t world) {
+  if (!body.is_packed) return fault(packed(body), world);
   for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
     const auto a = body.approximation(v);
     for (double x : a)
-      if (std::fabs(x) > double(exact::world))
+      if (std::fabs(x) > double(world))
         return "vertex " + std::to_string(v) + " lies outside the world of +-2^29 grid steps";
   }
   for (std::uint32_t f = 0; f < body.face_count(); ++f)

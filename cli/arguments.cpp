@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -25,10 +26,20 @@ constexpr std::array<std::pair<std::string_view, Format>, 7> formats = {{{"stl",
                                                                          {"ply-ascii", Format::ply_ascii},
                                                                          {"quoin", Format::quoin}}};
 
+constexpr std::array<std::pair<std::string_view, Rounding>, 6> roundings = {
+    {{"best", Rounding::best},
+     {"naive", Rounding::naive},
+     {"continued-fraction", Rounding::continued_fraction},
+     {"lattice", Rounding::lattice},
+     {"face-local", Rounding::face_local},
+     {"vertices", Rounding::vertices}}};
+
 /// Values that still need a look after the words are parsed.
 struct RawOptions {
   std::string plane;
-  std::optional<std::string> step, format, topology;
+  std::optional<std::string> step, format, topology, rounding;
+  Words rotate, translate, mirror, scale, set;
+  std::vector<std::string> order;  // of the motions
   bool version = false;
 };
 
@@ -61,7 +72,11 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
   app->set_help_flag("-h,--help", "This text.");
   const bool many = a.command == Command::unite || a.command == Command::intersect || a.command == Command::subtract ||
                     a.command == Command::symmetric_difference;
-  auto* inputs = app->add_option("FILES", a.inputs, many ? "Two operands or more." : "The solid.")->required();
+  auto* inputs = app->add_option("FILES", a.inputs,
+                                 many                         ? "Two operands or more."
+                                 : a.command == Command::eval ? "The model."
+                                                              : "The solid.")
+                     ->required();
   many ? inputs->expected(2, CLI::detail::expected_max_vector_size) : inputs->expected(1);
   if (a.command != Command::info && a.command != Command::check) {
     const bool two = a.command == Command::split;
@@ -74,6 +89,21 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                     "manifold (default): every edge of the written mesh has two triangles, parts that only touch are "
                     "separated; indexed: vertices are shared wherever they coincide.");
   }
+  if (a.command == Command::move) {
+    const auto motion = [&](const char* name, Words& words, int size, const char* what) {
+      app->add_option(name, words, what)->type_size(size)->allow_extra_args(false);
+    };
+    motion("--rotate", raw.rotate, 2, "AXIS ANGLE: x, y, z or x,y,z; degrees, right-handed, about the origin.");
+    motion("--translate", raw.translate, 3, "X Y Z in model units.");
+    motion("--mirror", raw.mirror, 1, "AXIS: the mirror image in the plane through the origin with this normal.");
+    motion("--scale", raw.scale, 1, "FACTOR, or X,Y,Z: from the origin; positive.");
+  }
+  if (a.command == Command::eval)
+    app->add_option("--set", raw.set, "NAME=VALUE: of a parameter of the model.")->allow_extra_args(false);
+  if (a.command == Command::move || a.command == Command::eval)
+    app->add_option("--rounding", raw.rounding,
+                    "best (default), naive, continued-fraction, lattice, face-local, vertices: how planes that do not "
+                    "fit the grid are rounded.");
   if (a.command == Command::split) {
     // An option of exactly one value takes the next word whatever it starts with: "-1,0,0,5" needs no "=".
     app->add_option("--plane", raw.plane, "a,b,c,d of a x + b y + c z + d = 0, model units.")->required();
@@ -151,7 +181,70 @@ Result<HalfSpace> parse_plane(const std::string& text) {
   return plane;
 }
 
+/// "x", "y", "z" or three numbers.
+Result<Text3> parse_vector(const char* option, const std::string& text) {
+  if (text == "x") return Text3{"1", "0", "0"};
+  if (text == "y") return Text3{"0", "1", "0"};
+  if (text == "z") return Text3{"0", "0", "1"};
+  const auto first = text.find(','), second = text.find(',', first + 1);
+  if (first == std::string::npos || second == std::string::npos || text.find(',', second + 1) != std::string::npos)
+    return usage(std::string(option) + ": \"" + text + "\" is neither x, y, z nor three numbers x,y,z");
+  return Text3{text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+}
+
+/// The motion that the options say, in their order.
+Result<Motion> read_motion(const RawOptions& raw) {
+  Motion motion;
+  std::size_t rotations = 0, translations = 0, mirrors = 0, scalings = 0;
+  for (const std::string& option : raw.order) {
+    Result<Motion> next = motion;
+    if (option == "--rotate") {
+      const auto axis = parse_vector("--rotate", raw.rotate[rotations]);
+      if (!axis) return axis.error();
+      next = Motion::rotation(axis.value(), raw.rotate[rotations + 1]);
+      rotations += 2;
+    } else if (option == "--translate") {
+      const std::string* by = &raw.translate[translations];
+      next = Motion::translation({by[0], by[1], by[2]});
+      translations += 3;
+    } else if (option == "--mirror") {
+      const auto normal = parse_vector("--mirror", raw.mirror[mirrors++]);
+      if (!normal) return normal.error();
+      next = Motion::mirror(normal.value());
+    } else {
+      const std::string& text = raw.scale[scalings++];
+      const auto by = text.find(',') == std::string::npos ? Text3{text, text, text} : parse_vector("--scale", text);
+      if (!by) return by.error();
+      next = Motion::scaling(by.value());
+    }
+    if (!next) return usage(option + ": " + next.error().message);
+    motion = motion.then(next.value());
+  }
+  if (raw.order.empty()) return usage("move needs a motion: --rotate, --translate, --mirror or --scale");
+  return motion;
+}
+
 Result<void> read_values(const RawOptions& raw, Arguments& a) {
+  if (raw.rounding) {
+    const auto* found =
+        std::find_if(roundings.begin(), roundings.end(), [&](const auto& r) { return r.first == *raw.rounding; });
+    if (found == roundings.end()) {
+      return usage("--rounding must be best, naive, continued-fraction, lattice, face-local or vertices, not \"" +
+                   *raw.rounding + "\"");
+    }
+    a.rounding = found->second;
+    a.rounding_name = *raw.rounding;
+  }
+  for (const std::string& text : raw.set) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return usage("--set wants NAME=VALUE, not \"" + text + "\"");
+    a.parameters[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  if (a.command == Command::move) {
+    const auto motion = read_motion(raw);
+    if (!motion) return motion.error();
+    a.motion = motion.value();
+  }
   if (raw.format) {
     const auto* found =
         std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.first == *raw.format; });
@@ -182,7 +275,9 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
 Result<void> check_streams(const Arguments& a) {
   const auto from_stdin = std::count(a.inputs.begin(), a.inputs.end(), "-");
   if (from_stdin > 1) return usage("standard input can be read once only");
-  if (from_stdin + (a.writes_to_stdout() ? 1 : 0) > 0 && !a.format) return usage("\"-\" needs --format");
+  // A model is always JSON.
+  const bool unnamed_input = from_stdin > 0 && a.command != Command::eval;
+  if ((unnamed_input || a.writes_to_stdout()) && !a.format) return usage("\"-\" needs --format");
   if (a.json && a.writes_to_stdout()) return usage("--json and \"-o -\" cannot share standard output");
   if (a.outputs.size() == 2 && a.outputs[0] == a.outputs[1]) return usage("the two outputs must differ");
   const auto empty = [](const std::string& path) { return path.empty(); };
@@ -253,6 +348,13 @@ Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string>
     return Parsed(Answer{app->help()});
   } catch (const CLI::ParseError& error) {
     return usage(std::string(help->name) + ": " + error.what() + "; see quoin " + help->name + " --help");
+  }
+  // The parser lists an option once for each of its values.
+  std::map<std::string, int> values;
+  for (const CLI::Option* option : app->parse_order()) {
+    const std::string name = option->get_name();
+    const bool moves = name == "--rotate" || name == "--translate" || name == "--mirror" || name == "--scale";
+    if (moves && values[name]++ % option->get_type_size() == 0) raw.order.push_back(name);
   }
   if (const auto read = read_values(raw, arguments); !read) return read.error();
   if (const auto checked = check_streams(arguments); !checked) return checked.error();

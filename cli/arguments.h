@@ -2,6 +2,7 @@
 /// The words of a command line, understood: which command, which operands, which options.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,7 +12,19 @@
 
 namespace quoin::cli {
 
-enum class Command { unite, intersect, subtract, symmetric_difference, complement, split, info, check, convert };
+enum class Command {
+  unite,
+  intersect,
+  subtract,
+  symmetric_difference,
+  complement,
+  split,
+  move,
+  eval,
+  info,
+  check,
+  convert
+};
 
 struct Arguments {
   Command command = Command::info;
@@ -22,6 +35,13 @@ struct Arguments {
   std::vector<std::string> outputs;
   /// Of split.
   HalfSpace plane;
+  /// Of move, in the order given.
+  Motion motion;
+  /// Of eval: values of parameters.
+  std::map<std::string, std::string> parameters;
+  /// Of move and eval; `rounding_name` is its word.
+  Rounding rounding = Rounding::best;
+  std::string rounding_name = "best";
   std::optional<Grid> grid;
   std::optional<Format> format;
   Topology topology = Topology::manifold;

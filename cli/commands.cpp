@@ -4,6 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +45,12 @@ struct Operands {
     for (const auto& report : reports) largest = std::max(largest, report.max_snap);
     return largest;
   }
+};
+
+/// What a command makes of its operands.
+struct Computed {
+  std::vector<Solid> solids;                // two for split
+  std::optional<MotionReport> motion = {};  // of move and eval
 };
 
 /// One solid on its way to a file.
@@ -99,13 +110,54 @@ Result<Operands> load(Session& session) {
   return load(session, session.arguments.trust ? Trust::embedded : Trust::nothing);
 }
 
-/// The Boolean of the command; one solid, two for split.
-Result<std::vector<Solid>> compute(Session& session, const std::vector<Solid>& solids) {
+/// The whole text of a file, or of standard input for "-".
+Result<std::string> read_text(const std::string& path) {
+  std::ostringstream text;
+  if (path == "-") {
+    text << std::cin.rdbuf();
+  } else {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return Error{.code = "missing-file", .message = "the file cannot be opened", .file = path};
+    if (std::filesystem::is_directory(path))
+      return Error{.code = "unreadable", .message = "this is a folder", .file = path};
+    text << file.rdbuf();
+  }
+  return std::move(text).str();
+}
+
+/// Evaluates a model.
+Result<Computed> evaluate_model(Session& session) {
+  const Arguments& a = session.arguments;
+  const std::string& path = a.inputs[0];
+  const auto in_file = [&](Error error) {
+    if (error.file.empty()) error.file = path;
+    return error;
+  };
+  const auto model = session.times.measure(Stage::read, [&]() -> Result<Model> {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    const auto slash = path.rfind('/');
+    return Model::from_json(text.value(), slash == std::string::npos ? "." : path.substr(0, slash));
+  });
+  if (!model) return in_file(model.error());
+  Computed computed;
+  auto solid = polled_stage(session, Stage::boolean, [&] {
+    const ModelOptions options = {
+        .grid = a.grid, .parameters = a.parameters, .rounding = a.rounding, .run = session.options("evaluating")};
+    return evaluate(model.value(), options, &computed.motion.emplace());
+  });
+  if (!solid) return in_file(solid.error());
+  computed.solids.push_back(std::move(solid).value());
+  return computed;
+}
+
+/// The Boolean or motion of the command.
+Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
   const Arguments& a = session.arguments;
   const Options options = session.options("computing");
-  const auto one = [](Result<Solid> solid) -> Result<std::vector<Solid>> {
+  const auto one = [](Result<Solid> solid) -> Result<Computed> {
     if (!solid) return solid.error();
-    return std::vector<Solid>{std::move(solid).value()};
+    return Computed{{std::move(solid).value()}};
   };
   switch (a.command) {
     case Command::unite:
@@ -121,14 +173,21 @@ Result<std::vector<Solid>> compute(Session& session, const std::vector<Solid>& s
     case Command::split: {
       auto parts = split(solids[0], a.plane, options);
       if (!parts) return parts.error();
-      return std::vector<Solid>(parts.value().begin(), parts.value().end());
+      return Computed{{parts.value().begin(), parts.value().end()}};
     }
+    case Command::move: {
+      MotionReport report;
+      auto computed = one(move(solids[0], a.motion, {.rounding = a.rounding, .run = options}, &report));
+      if (computed) computed.value().motion = report;
+      return computed;
+    }
+    case Command::eval:
     case Command::convert:
     case Command::info:
     case Command::check:
       break;
   }
-  return solids;
+  return Computed{solids};
 }
 
 /// Refuses an output that could only fail after the work is done.
@@ -220,7 +279,8 @@ Json output_json(const Output& output) {
   return object;
 }
 
-Json result_json(const Session& session, const Operands& operands, const std::vector<Output>& outputs) {
+Json result_json(const Session& session, const Operands& operands, const std::optional<MotionReport>& motion,
+                 const std::vector<Output>& outputs) {
   Json object;
   if (outputs.size() == 2) {
     object["above"] = output_json(outputs[0]);
@@ -232,6 +292,12 @@ Json result_json(const Session& session, const Operands& operands, const std::ve
   object["peak_rss_bytes"] = peak_memory();
   object["max_snap"] = operands.max_snap();
   object["import"] = imports_json(session.arguments, operands);
+  const Arguments& a = session.arguments;
+  if (a.command == Command::move) {
+    const auto quaternion = a.motion.info().quaternion;
+    object["quaternion"] = quaternion ? Json(*quaternion) : Json(nullptr);
+  }
+  if (motion) add_motion(object, *motion, a.rounding_name);
   return object;
 }
 
@@ -280,15 +346,18 @@ Result<void> run_writing(Session& session) {
   for (const auto& path : a.outputs) {
     if (const auto checked = check_output(a, path); !checked) return checked.error();
   }
-  auto operands = load(session);
+  const bool is_model = a.command == Command::eval;
+  auto operands = is_model ? Result<Operands>(Operands{}) : load(session);
   if (!operands) return operands.error();
-  auto results = polled_stage(session, Stage::boolean, [&] { return compute(session, operands.value().solids); });
+  auto results = is_model
+                     ? evaluate_model(session)
+                     : polled_stage(session, Stage::boolean, [&] { return compute(session, operands.value().solids); });
   if (!results) return results.error();
   operands.value().solids.clear();
 
   std::vector<Output> outputs;
-  for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value()[i]});
-  results.value().clear();
+  for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value().solids[i]});
+  results.value().solids.clear();
   for (auto& output : outputs) {
     if (const auto formatted = format_output(session, output); !formatted) return formatted.error();
     if (!a.json && a.quiet) continue;
@@ -301,11 +370,13 @@ Result<void> run_writing(Session& session) {
     const auto written = session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes); });
     if (!written) return written.error();
   }
-  if (a.json) return say(a, result_json(session, operands.value(), outputs), "");
+  if (a.json) return say(a, result_json(session, operands.value(), results.value().motion, outputs), "");
   std::string text;
   if (!a.quiet) {
     for (const auto& output : outputs) text += summary(output);
-    text += import_summary(a, operands.value()) + seconds_text(session.times.total_seconds());
+    if (results.value().motion) text += motion_text(*results.value().motion);
+    if (!is_model) text += import_summary(a, operands.value());
+    text += seconds_text(session.times.total_seconds());
   }
   return say(a, {}, text);
 }

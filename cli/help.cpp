@@ -12,7 +12,7 @@
 namespace quoin::cli {
 namespace {
 
-constexpr std::array<CommandHelp, 9> commands = {{
+constexpr std::array<CommandHelp, 11> commands = {{
     {Command::unite, "union", "All points that lie in A or B or any further operand.",
      R"(Examples:
   quoin union body.stl handle.stl -o part.stl
@@ -40,6 +40,20 @@ Examples:
 Examples:
   quoin split part.stl --plane 0,0,1,-5 -o upper.stl lower.stl       cut at z = 5
   quoin split part.stl --plane -1,0,0,1/3 -o left.quoin right.quoin  above is x < 1/3)"},
+    {Command::move, "move", "Rotates, translates, mirrors or scales A.",
+     R"(Motions act in the order given and compose exactly; each may be repeated. Angles are degrees: multiples of 90 about
+x, y, z are exact, others are replaced by a rational rotation closer than 10^-25 degrees, and --json says which.
+Flat faces stay flat where every corner lies on three planes; other solids are rounded corner by corner to the grid.
+A is moved on its own grid: choose a larger --step, or translate it back, if it would leave it.
+Examples:
+  quoin move part.stl --rotate z 30 --translate 1 2 3 -o moved.stl
+  quoin move part.quoin --rotate 1,1,0 12.5 -o turned.quoin --json
+  quoin move part.stl --mirror x -o left.stl)"},
+    {Command::eval, "eval", "Evaluates a model: primitives, motions and Booleans in a JSON file.",
+     R"(The format is described in docs/model-format.md. All motions above a primitive act at once, and it is rounded once.
+Examples:
+  quoin eval bracket.json -o bracket.stl
+  quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},
     {Command::info, "info", "Prints counts and exact measures of A.",
      R"(Counts are of the solid (its maximal faces, their edges and corners), not of the triangles in the file.
 Volume is exact, in cubic units of the model.

@@ -140,6 +140,23 @@ Json statistics_json() {
   return object;
 }
 
+void add_motion(Json& object, const MotionReport& report, const std::string& method) {
+  object["angle_error"] = report.angle_error;
+  object["displacement_bound"] = report.displacement_bound;
+  Json rounding;
+  rounding["method"] = method;
+  rounding["primitives"] = report.primitives;
+  rounding["by_planes"] = report.by_planes;
+  rounding["by_vertices"] = report.by_vertices;
+  rounding["planes"] = report.planes;
+  rounding["exact_planes"] = report.exact_planes;
+  rounding["face_local_planes"] = report.face_local_planes;
+  rounding["merged_points"] = report.merged_points;
+  rounding["zero_area_triangles"] = report.zero_area_triangles;
+  rounding["resolved_crossings"] = report.resolved_crossings;
+  object["rounding"] = std::move(rounding);
+}
+
 std::string table(const std::vector<std::array<std::string, 2>>& rows) {
   std::size_t width = 0;
   for (const auto& row : rows) width = std::max(width, row[0].size());
@@ -178,6 +195,16 @@ std::string statistics_text() {
                 {"signs, filter", std::to_string(counts.filter)},
                 {"signs, fixed width", std::to_string(counts.fixed_width)},
                 {"signs, rational", std::to_string(counts.rational)}});
+}
+
+std::string motion_text(const MotionReport& report) {
+  std::string text = "  primitives " + std::to_string(report.primitives) + ": " + std::to_string(report.by_planes) +
+                     " kept their flat faces, " + std::to_string(report.by_vertices) +
+                     " were rounded corner by corner\n  nothing is farther from where it should be than " +
+                     decimal(report.displacement) + "\n";
+  if (report.resolved_crossings > 0)
+    text += "  rounding made " + std::to_string(report.resolved_crossings) + " crossings, resolved\n";
+  return text;
 }
 
 std::size_t peak_memory() {

@@ -73,12 +73,16 @@ Json info_json(const Solid& solid, const Info& info);
 Json import_json(const std::string& file, const ImportReport& report);
 Json export_json(const ExportReport& report);
 Json statistics_json();
+/// Adds "angle_error", "displacement_bound" and "rounding".
+void add_motion(Json& object, const MotionReport& report, const std::string& method);
 
 /// An aligned table of labels and values, one pair a line.
 std::string table(const std::vector<std::array<std::string, 2>>& rows);
 std::string info_text(const Solid& solid, const Info& info);
 std::string import_text(const ImportReport& report);
 std::string statistics_text();
+/// One line, or two.
+std::string motion_text(const MotionReport& report);
 
 /// Shortest decimal that reads back to the same double.
 std::string decimal(double value);

@@ -103,6 +103,11 @@ Rational to_rational(double v) {
 
 double to_double(const Rational& v) { return rounded(v, 53, -1074); }
 
+double double_above(const Rational& v) {
+  const double r = to_double(v);
+  return std::isinf(r) || to_rational(r) >= v ? r : std::nextafter(r, HUGE_VAL);
+}
+
 float to_float(const Rational& v) {
   const double r = rounded(v, 24, -149);
   return static_cast<float>(r);  // exact, or infinite beyond the range

@@ -51,6 +51,8 @@ std::string to_string(const Rational& v);
 Rational to_rational(double v);
 /// Correctly rounded (ties to even); infinite beyond the range of double.
 double to_double(const Rational& v);
+/// The least double that is not below v.
+double double_above(const Rational& v);
 /// Correctly rounded to float32.
 float to_float(const Rational& v);
 /// The exact k-th coordinate.

@@ -201,7 +201,7 @@ Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& m
   return f.triangles ? add_triangles(f, ids, mesh) : add_polygons(f, ids, mesh);
 }
 
-Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
+Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facing) {
   if (const auto checked = check_indices(f); !checked) return checked.error();
   ImportedMesh mesh;
   std::vector<std::uint32_t> ids;
@@ -220,7 +220,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
   if (!seal(mesh.points, mesh.triangles, all.slivers) ||
       !(balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size())))
     return open_boundary(f, ids, mesh);
-  if (all.volume < 0)
+  if (all.volume < 0 && facing == Facing::out)
     return Error{"inside-out",
                  "the enclosed volume is negative: the faces must be counter-clockwise seen from outside"};
   return Result<ImportedMesh>(std::move(mesh));
@@ -230,12 +230,12 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice) {
 
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
                                      std::span<const std::uint32_t> corners, const Lattice& lattice) {
-  return import({points, starts, corners, false}, lattice);
+  return import({points, starts, corners, false}, lattice, Facing::out);
 }
 
 Result<ImportedMesh> import_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                      const Lattice& lattice) {
-  return import({points, {}, triangles, true}, lattice);
+                                      const Lattice& lattice, Facing facing) {
+  return import({points, {}, triangles, true}, lattice, facing);
 }
 
 }  // namespace quoin::grid

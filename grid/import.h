@@ -15,7 +15,7 @@
 namespace quoin::grid {
 
 /// A closed triangle mesh on the lattice. Every directed edge is balanced by its reverse, no triangle has zero area,
-/// points are pairwise distinct, the enclosed signed volume is >= 0.
+/// points are pairwise distinct, the enclosed signed volume is >= 0 (unless any facing was asked for).
 /// Points keep the order of their first occurrence in the input; a point that no triangle uses may remain.
 /// Triangles keep the order of the input polygons they come from; those made by sealing stand where the neighbour they
 /// replace stood or at the end.
@@ -32,6 +32,12 @@ struct ImportedMesh {
   std::uint64_t nonplanar_polygons = 0;
 };
 
+/// Which way the faces of a mesh may look.
+enum class Facing {
+  out,  // counter-clockwise from outside: a negative volume is refused
+  any,
+};
+
 /// Snaps, welds, cuts polygons into triangles, seals T-junctions of zero-area triangles, proves closedness and checks
 /// orientation; all exact, deterministic, O(n log n).
 /// `points`: 3 doubles per vertex, model units. Polygon i has the corners corners[starts[i]] .. corners[starts[i+1]-1],
@@ -44,6 +50,6 @@ Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<c
                                      std::span<const std::uint32_t> corners, const Lattice& lattice);
 /// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".
 Result<ImportedMesh> import_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                      const Lattice& lattice);
+                                      const Lattice& lattice, Facing facing = Facing::out);
 
 }  // namespace quoin::grid

@@ -325,3 +325,5 @@ struct Statistics {
 Statistics statistics();
 
 }  // namespace quoin
+
+#include "quoin/model.h"

@@ -1,0 +1,540 @@
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "api/evaluate.h"
+#include "api/formula.h"
+#include "api/import.h"
+#include "api/model_node.h"
+#include "api/place.h"
+#include "api/run.h"
+#include "rounding/primitives.h"
+
+namespace quoin {
+
+using exact::Rational;
+using Node = Access::ModelNode;
+using rounding::Polyhedron;
+using rounding::Shape;
+using rounding::WidePlane;
+
+namespace {
+
+/// How messages call a node.
+std::string name_of(const Node& node) {
+  std::string s = rule_of(node.kind).word;
+  if (!node.name.empty()) s += " \"" + node.name + "\"";
+  return node.place.empty() ? s : s + " at " + node.place;
+}
+
+Error at_node(Error error, const Node& node) {
+  error.where = error.where.empty() ? name_of(node) : name_of(node) + ", " + error.where;
+  return error;
+}
+
+/// The numbers of one node, read in one scope. The first error stays, and numbers after it are 1.
+class Numbers {
+ public:
+  Numbers(const Node& node, Parameters& parameters) : node_(node), parameters_(parameters) {}
+
+  Rational scalar(std::size_t field) { return number(node_.values[field]); }
+  template <std::size_t N>
+  std::array<Rational, N> vector(std::size_t field) {
+    return vector<N>(node_.values[field]);
+  }
+  template <std::size_t N>
+  std::vector<std::array<Rational, N>> list(std::size_t field) {
+    return list<N>(node_.values[field]);
+  }
+  std::vector<std::vector<std::vector<rounding::PlanePoint>>> polygons(std::size_t field) {
+    std::vector<std::vector<std::vector<rounding::PlanePoint>>> r;
+    for (const ModelValue& polygon : node_.values[field].items) {
+      auto& outlines = r.emplace_back();
+      for (const ModelValue& outline : polygon.items) outlines.push_back(list<2>(outline));
+    }
+    return r;
+  }
+  std::uint32_t count(std::size_t field) {
+    const Rational v = scalar(field);
+    if (denominator(v) == 1 && v >= 0 && v <= std::numeric_limits<std::uint32_t>::max())
+      return static_cast<std::uint32_t>(numerator(v));
+    fail({"bad-number", "\"" + node_.values[field].text + "\" is no count, that is a whole number"});
+    return 3;
+  }
+  rounding::Fit fit(std::size_t field) {
+    const std::string& word = node_.values[field].text;
+    if (word == "circumscribed") return rounding::Fit::circumscribed;
+    if (word == "equal-area") return rounding::Fit::equal_area;
+    if (word != "inscribed")
+      fail({"bad-primitive", "\"" + word + "\" is no fit: inscribed, circumscribed or equal-area"});
+    return rounding::Fit::inscribed;
+  }
+
+  std::optional<Error> error;
+
+ private:
+  void fail(Error e) {
+    if (!error) error = std::move(e);
+  }
+  Rational number(const ModelValue& value) {
+    auto v = parameters_.value(value.text);
+    if (v) return v.value();
+    fail(v.error());
+    return 1;
+  }
+  template <std::size_t N>
+  std::array<Rational, N> vector(const ModelValue& value) {
+    std::array<Rational, N> r;
+    for (std::size_t k = 0; k < N; ++k) r[k] = number(value.items[k]);
+    return r;
+  }
+  template <std::size_t N>
+  std::vector<std::array<Rational, N>> list(const ModelValue& value) {
+    std::vector<std::array<Rational, N>> r;
+    for (const ModelValue& item : value.items) r.push_back(vector<N>(item));
+    return r;
+  }
+
+  const Node& node_;
+  Parameters& parameters_;
+};
+
+Text3 text(const rounding::Vector& v) {
+  return {exact::to_string(v[0]), exact::to_string(v[1]), exact::to_string(v[2])};
+}
+
+Result<WidePlane> boundary_of(const std::array<Rational, 4>& plane) {
+  if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
+    return Error{"bad-plane", "the normal of a half-space is 0: it has no direction"};
+  return rounding::wide_plane({plane[0], plane[1], plane[2]}, plane[3]);
+}
+
+Expression half_space(const exact::Plane& plane, const grid::Lattice& lattice) {
+  // In model units: n . (x - origin) / step + d.
+  rounding::AffineMap steps;
+  for (std::size_t k = 0; k < 3; ++k) {
+    steps.linear[k][k] = 1 / lattice.step;
+    steps.shift[k] = -lattice.origin[k] / lattice.step;
+  }
+  const WidePlane p = moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, steps);
+  return HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}};
+}
+
+/// The polyhedron that half-spaces enclose, by a Boolean of them on a grid that is coarse for it.
+Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Options& run) {
+  if (planes.empty()) return Error{"unbounded", "an intersection of no half-spaces is all of space"};
+  Rational reach = 0;
+  for (const WidePlane& p : planes) {
+    const Rational size = rounding::magnitude(p.n[0]) + rounding::magnitude(p.n[1]) + rounding::magnitude(p.n[2]);
+    reach = std::max<Rational>(reach, rounding::magnitude(p.d) / size);
+  }
+  grid::Lattice lattice;
+  while (reach > lattice.step * (1 << 18)) lattice.step *= 2;
+  const Grid grid = Access::grid(lattice);
+  std::vector<Expression> terms;
+  for (const WidePlane& p : planes)
+    terms.emplace_back(HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}});
+  auto solid = evaluate(Solid::empty(grid) + Expression::intersection_of(std::move(terms)), {.cancel = run.cancel});
+  if (!solid) return solid.error();
+  if (solid.value().is_empty()) return Polyhedron{};
+  return rounding::polyhedron_of(booleans::canonical(Access::body(solid.value())), lattice);
+}
+
+Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
+  using enum ModelKind;
+  const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) {
+    const Rational h = n.scalar(height);
+    const std::uint32_t sides = n.count(height + 1);
+    return rounding::frustum(sides, bottom, top, h, n.fit(height + 2));
+  };
+  switch (node.kind) {
+    case block:
+      return rounding::block(n.vector<3>(0));
+    case wedge:
+      return rounding::wedge(n.vector<3>(0), n.scalar(1));
+    case prism: {
+      const Rational radius = n.scalar(1);
+      return rounding::frustum(n.count(0), radius, radius, n.scalar(2), rounding::Fit::inscribed);
+    }
+    case ModelKind::cylinder: {
+      const Rational radius = n.scalar(0);
+      return cylinder_of(radius, radius, 1);
+    }
+    case cone:
+      return cylinder_of(n.scalar(0), 0, 1);
+    case frustum:
+      return cylinder_of(n.scalar(0), n.scalar(1), 2);
+    case sphere:
+      return rounding::sphere(n.scalar(0), n.count(1));
+    case tangent_sphere: {
+      const auto planes = rounding::tangent_sphere(n.scalar(0), n.count(1));
+      return planes ? intersection(planes.value(), run) : planes.error();
+    }
+    case torus:
+      return rounding::torus(n.scalar(0), n.scalar(1), n.count(2), n.count(3));
+    case convex: {
+      std::vector<WidePlane> planes;
+      for (const auto& p : n.list<4>(0)) {
+        const auto plane = boundary_of(p);
+        if (!plane) return plane.error();
+        planes.push_back(plane.value());
+      }
+      return intersection(planes, run);
+    }
+    case hull:
+      return rounding::convex_hull(n.list<3>(0));
+    default:
+      return rounding::extrusion(n.polygons(0), n.vector<3>(1));
+  }
+}
+
+Result<Motion> motion_of(const Node& node, Numbers& n) {
+  switch (node.kind) {
+    case ModelKind::rotate:
+      return Motion::rotation(text(n.vector<3>(0)), exact::to_string(n.scalar(1)));
+    case ModelKind::translate:
+      return Motion::translation(text(n.vector<3>(0)));
+    case ModelKind::turn: {
+      const auto q = n.vector<4>(0);
+      return Motion::quaternion(
+          {exact::to_string(q[0]), exact::to_string(q[1]), exact::to_string(q[2]), exact::to_string(q[3])});
+    }
+    case ModelKind::transform: {
+      const auto rows = n.list<3>(0);
+      return Motion::matrix({text(rows[0]), text(rows[1]), text(rows[2])});
+    }
+    case ModelKind::mirror:
+      return Motion::mirror(text(n.vector<3>(0)));
+    default:
+      return Motion::scaling(text(n.vector<3>(0)));
+  }
+}
+
+bool is_motion(ModelKind kind) { return kind >= ModelKind::rotate && kind <= ModelKind::scale; }
+
+/// Equal steps have equal texts.
+std::string text(const rounding::Step& step) {
+  std::string s = std::to_string(step.index());
+  const auto add = [&](const auto& numbers) {
+    for (const auto& x : numbers) s += " " + x.str();
+  };
+  if (const auto* rotation = std::get_if<rounding::RotationStep>(&step)) {
+    add(rotation->axis);
+    s += " " + rotation->degrees.str();
+  } else if (const auto* translation = std::get_if<rounding::TranslationStep>(&step)) {
+    add(translation->by);
+  } else if (const auto* turn = std::get_if<rounding::TurnStep>(&step)) {
+    add(std::array{turn->by.w, turn->by.x, turn->by.y, turn->by.z});
+  } else if (const auto* mirror = std::get_if<rounding::MirrorStep>(&step)) {
+    add(mirror->normal);
+  } else {
+    add(std::get<rounding::ScalingStep>(step).by);
+  }
+  return s;
+}
+
+constexpr std::size_t nowhere = ~std::size_t{0};
+
+/// A node of the expression; children come before their parents.
+struct Term {
+  const Node* node = nullptr;
+  std::vector<std::size_t> children = {};
+  std::size_t primitive = nowhere;  // of a leaf that is placed
+};
+
+/// Walks through a model, without recursion, and gathers its primitives with their motions.
+class ModelEvaluator {
+ public:
+  ModelEvaluator(const ModelOptions& options, MotionReport* report) : options_(options), report_(report) {}
+
+  Result<Solid> run(const Model& model) {
+    if (!Access::node(model)) return Solid::empty(options_.grid ? *options_.grid : Grid());
+    const auto root = gather(*Access::node(model));
+    if (!root) return root.error();
+    for (const auto& [name, value] : options_.parameters)
+      if (!is_known(name)) return Error{"bad-parameter", "the model has no parameter \"" + name + "\""};
+    const auto grid = chosen_grid();
+    if (!grid) return grid.error();
+    auto placed = place(primitives_, Access::lattice(grid.value()), options_.rounding, options_.run);
+    if (!placed) return named(placed.error());
+    if (report_) *report_ = placed.value().report;
+    return combined(root.value(), grid.value(), placed.value().primitives);
+  }
+
+ private:
+  bool is_known(const std::string& name) const {
+    return defined_.count(name) > 0 || std::any_of(scopes_.begin(), scopes_.end(),
+                                                   [&](const Scope& scope) { return scope.parameters.was_used(name); });
+  }
+
+  struct Scope {
+    Parameters parameters;
+    std::map<std::string, std::string> definitions;
+  };
+  /// A motion's first step and the motion after it: those of nested nodes share their ends.
+  struct MotionLink {
+    rounding::Motion first;  // of one step
+    std::size_t rest;
+  };
+  using Key = std::tuple<const Node*, std::size_t, std::size_t>;  // node, motion, scope
+  struct Visit {
+    Key key;
+    std::size_t next_child = 0;
+    std::vector<std::size_t> terms = {};
+  };
+
+  /// The term of the root.
+  Result<std::size_t> gather(const Node& root) {
+    motions_.push_back({});
+    scopes_.push_back({Parameters(options_.parameters), options_.parameters});
+    std::vector<Visit> stack{{{&root, 0, 0}}};
+    std::size_t last = nowhere;
+    while (!stack.empty()) {
+      Visit& visit = stack.back();
+      if (last != nowhere) visit.terms.push_back(std::exchange(last, nowhere));
+      const Node& node = *std::get<0>(visit.key);
+      if (visit.next_child == 0)
+        if (const auto known = terms_of_.find(visit.key); known != terms_of_.end()) {
+          last = known->second;
+          stack.pop_back();
+          continue;
+        }
+      if (visit.next_child < node.children.size()) {
+        const auto& child = Access::node(node.children[visit.next_child]);
+        const auto key = child_key(visit.key, child.get());
+        if (!key) return key.error();
+        ++visit.next_child;
+        stack.push_back({key.value()});
+        continue;
+      }
+      const auto term = finished(visit);
+      if (!term) return at_node(term.error(), node);
+      last = terms_of_[visit.key] = term.value();
+      stack.pop_back();
+    }
+    return last;
+  }
+
+  /// What a child is under its parent: its motion comes before those above it.
+  Result<Key> child_key(const Key& parent, const Node* child) {
+    static const Node empty;
+    const auto [node, motion, scope] = parent;
+    Key key{child ? child : &empty, motion, scope};
+    if (is_motion(node->kind)) {
+      Numbers numbers(*node, scopes_[scope].parameters);
+      const auto own = motion_of(*node, numbers);
+      if (numbers.error) return at_node(*numbers.error, *node);
+      if (!own) return at_node(own.error(), *node);
+      std::get<1>(key) = preceded(Access::motion(own.value()), motion);
+    }
+    if (node->kind == ModelKind::scope) {
+      if (!node->step.empty() && step_.empty()) step_ = node->step;
+      if (!node->parameters.empty()) std::get<2>(key) = scope_id(*node, scope);
+    }
+    return key;
+  }
+
+  /// `own`, of one step or none, then a known motion. 0 is the identity.
+  std::size_t preceded(const rounding::Motion& own, std::size_t then) {
+    if (own.steps().empty()) return then;
+    rounding::Motion head = own;
+    if (then != 0) {
+      head = head.then(motions_[then].first);
+      // The two steps have become one, or none.
+      if (head.steps().size() < 2) then = motions_[then].rest;
+      if (head.steps().empty()) return then;
+    }
+    // Equal motions have one number, by whatever path they are reached.
+    const auto [at, fresh] = motion_ids_.try_emplace({then, text(head.steps()[0])}, motions_.size());
+    if (!fresh) return at->second;
+    if (head.steps().size() > 1) head = own;
+    motions_.push_back({std::move(head), then});
+    return at->second;
+  }
+
+  /// The inner definition of a name hides the outer one, but what the caller sets holds everywhere.
+  std::size_t scope_id(const Node& node, std::size_t outer) {
+    const auto [at, fresh] = scope_ids_.try_emplace({&node, outer}, scopes_.size());
+    if (!fresh) return at->second;
+    std::map<std::string, std::string> definitions = scopes_[outer].definitions;
+    for (const auto& [name, definition] : node.parameters) defined_.insert(name);
+    for (const auto& [name, definition] : node.parameters)
+      if (!options_.parameters.count(name)) definitions[name] = definition;
+    scopes_.push_back({Parameters(definitions), definitions});
+    return at->second;
+  }
+
+  Result<std::size_t> finished(Visit& visit) {
+    const auto [node, motion, scope] = visit.key;
+    if (is_motion(node->kind) || node->kind == ModelKind::scope) return visit.terms[0];
+    Term term{node, merged(node->kind, std::move(visit.terms))};
+    if (rule_of(node->kind).children == ModelChildren::none) {
+      if (node->kind == ModelKind::solid) solids_.push_back(*node->solid);
+      const auto primitive = leaf(*node, motion, scope);
+      if (!primitive) return primitive.error();
+      term.primitive = primitive.value();
+    }
+    terms_.push_back(std::move(term));
+    return terms_.size() - 1;
+  }
+
+  /// The terms of a union or intersection, with those of terms of the same kind in their place, each once: shared
+  /// subtrees may be reached by more paths than there are terms.
+  std::vector<std::size_t> merged(ModelKind kind, std::vector<std::size_t> terms) const {
+    if (kind != ModelKind::any && kind != ModelKind::all) return terms;
+    std::vector<std::size_t> r;
+    for (const std::size_t t : terms) {
+      if (terms_[t].node->kind == kind)
+        r.insert(r.end(), terms_[t].children.begin(), terms_[t].children.end());
+      else
+        r.push_back(t);
+    }
+    std::sort(r.begin(), r.end());
+    r.erase(std::unique(r.begin(), r.end()), r.end());
+    return r;
+  }
+
+  /// The index of the primitive; `nowhere` for a solid that stays where it is.
+  Result<std::size_t> leaf(const Node& node, std::size_t motion, std::size_t scope) {
+    Placed placed;
+    if (node.kind == ModelKind::half_space) {
+      Numbers numbers(node, scopes_[scope].parameters);
+      const auto plane = boundary_of(numbers.vector<4>(0));
+      if (numbers.error) return *numbers.error;
+      if (!plane) return plane.error();
+      placed.half_space = plane.value();
+    } else {
+      const auto shape = shape_at(node, motion, scope);
+      if (!shape) return shape.error();
+      if (!shape.value()) return nowhere;
+      placed.shape = shape.value();
+    }
+    placed.motion = &realized(motion);
+    primitives_.push_back(placed);
+    leaves_.push_back(&node);
+    return primitives_.size() - 1;
+  }
+
+  /// nullptr for a solid that stays where it is, or has no boundary.
+  Result<const Shape*> shape_at(const Node& node, std::size_t motion, std::size_t scope) {
+    if (node.kind == ModelKind::solid) {
+      if (motion == 0 || Access::operand(*node.solid).face_count() == 0) return nullptr;
+      scope = 0;  // it has no parameters
+    }
+    const auto [at, fresh] = shapes_.try_emplace({&node, scope});
+    if (!fresh) return at->second.get();
+    if (node.kind == ModelKind::solid) {
+      // Of an unbounded one the complement is placed, and taken back.
+      at->second = shape_of(node.solid->is_bounded() ? *node.solid : ~*node.solid);
+      return at->second.get();
+    }
+    Numbers numbers(node, scopes_[scope].parameters);
+    auto polyhedron = primitive(node, numbers, options_.run);
+    if (numbers.error) return *numbers.error;
+    if (!polyhedron) return polyhedron.error();
+    at->second = std::make_shared<const Shape>(std::move(polyhedron).value());
+    return at->second.get();
+  }
+
+  const rounding::RealizedMotion& realized(std::size_t motion) {
+    const auto [at, fresh] = realized_.try_emplace(motion);
+    if (!fresh) return at->second;
+    rounding::Motion whole;
+    for (std::size_t m = motion; m != 0; m = motions_[m].rest) whole.add(motions_[m].first.steps()[0]);
+    at->second = rounding::realize(whole);
+    return at->second;
+  }
+
+  Result<Grid> chosen_grid() {
+    if (options_.grid) return *options_.grid;
+    if (!step_.empty()) return Grid::with_step(step_);
+    if (!solids_.empty())
+      return std::min_element(
+                 solids_.begin(), solids_.end(),
+                 [](const Solid& a, const Solid& b) { return Access::lattice(a).step < Access::lattice(b).step; })
+          ->grid();
+    std::vector<double> points;
+    for (const Placed& p : primitives_)
+      if (p.shape)
+        for (const auto& v : p.shape->polyhedron.points)
+          for (const Rational& x : p.motion->map(v)) points.push_back(exact::to_double(x));
+    return fitting_grid(std::array{std::span<const double>(points)});
+  }
+
+  /// An error of `place` says the primitive's number: the node says more.
+  Error named(Error error) const {
+    const std::string word = "primitive ";
+    if (error.where.compare(0, word.size(), word) != 0) return error;
+    std::size_t length = 0;
+    const std::size_t i = std::stoul(error.where.substr(word.size()), &length);
+    error.where = name_of(*leaves_[i]) + error.where.substr(word.size() + length);
+    return error;
+  }
+
+  Result<Solid> combined(std::size_t root, const Grid& grid, std::vector<rounding::Reconstructed>& primitives) {
+    std::vector<Expression> expressions;
+    for (const Term& term : terms_) {
+      auto e = expression(term, grid, primitives, expressions);
+      if (!e) return at_node(e.error(), *term.node);
+      expressions.push_back(std::move(e).value());
+    }
+    // The empty solid carries the grid.
+    return evaluate(Expression::union_of({Solid::empty(grid), expressions[root]}), options_.run);
+  }
+
+  Result<Expression> expression(const Term& term, const Grid& grid, std::vector<rounding::Reconstructed>& primitives,
+                                const std::vector<Expression>& known) {
+    const ModelKind kind = term.node->kind;
+    if (kind == ModelKind::solid && term.primitive == nowhere) {
+      auto here = term.node->solid->on_grid(grid);
+      if (!here) return here.error();
+      return Expression(here.value());
+    }
+    if (kind == ModelKind::half_space) return half_space(*primitives[term.primitive].plane, Access::lattice(grid));
+    if (term.primitive != nowhere) {
+      const Expression e = Access::solid(grid, std::move(primitives[term.primitive].body));
+      return kind == ModelKind::solid && !term.node->solid->is_bounded() ? Expression::complement_of(e) : e;
+    }
+    std::vector<Expression> terms;
+    for (const std::size_t child : term.children) terms.push_back(known[child]);
+    switch (kind) {
+      case ModelKind::all:
+        return Expression::intersection_of(std::move(terms));
+      case ModelKind::odd:
+        return Expression::symmetric_difference_of(std::move(terms));
+      case ModelKind::complement:
+        return Expression::complement_of(terms[0]);
+      case ModelKind::difference:
+        for (std::size_t i = 1; i < terms.size(); ++i) terms[i] = Expression::complement_of(terms[i]);
+        return terms.empty() ? Expression::union_of({}) : Expression::intersection_of(std::move(terms));
+      default:
+        return Expression::union_of(std::move(terms));
+    }
+  }
+
+  const ModelOptions& options_;
+  MotionReport* report_;
+  std::string step_;
+  std::vector<MotionLink> motions_;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> motion_ids_;
+  std::map<std::size_t, rounding::RealizedMotion> realized_;
+  std::deque<Scope> scopes_;
+  std::set<std::string> defined_;  // parameters of scopes
+  std::map<std::pair<const Node*, std::size_t>, std::size_t> scope_ids_;
+  std::map<Key, std::size_t> terms_of_;
+  std::map<std::pair<const Node*, std::size_t>, std::shared_ptr<const Shape>> shapes_;
+  std::vector<Term> terms_;
+  std::vector<Placed> primitives_;
+  std::vector<const Node*> leaves_;  // of the primitives
+  std::vector<Solid> solids_;
+};
+
+}  // namespace
+
+Result<Solid> evaluate(const Model& model, const ModelOptions& options, MotionReport* report) {
+  return with_threads(options.run.threads, [&] { return ModelEvaluator(options, report).run(model); });
+}
+
+}  // namespace quoin

@@ -1,0 +1,40 @@
+/// \file
+/// Formulas over named parameters, in exact rationals.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "exact/rational.h"
+#include "quoin/result.h"
+
+namespace quoin {
+
+/// The values of parameters, whose definitions may be formulas of each other.
+class Parameters {
+ public:
+  explicit Parameters(std::map<std::string, std::string> definitions) : definitions_(std::move(definitions)) {}
+
+  /// sum = product {(+ | -) product}; product = factor {(* | /) factor}; factor = "-" factor | decimal | name | "(" sum
+  /// ")". Errors: "bad-number" (a syntax error, a division by 0, more than 2^16 bits), "bad-parameter" (an unknown
+  /// name, one that is defined by itself, or a row of more than 200).
+  Result<exact::Rational> value(std::string_view formula);
+  /// Whether a formula so far has asked for the parameter.
+  bool was_used(const std::string& name) const { return known_.count(name) > 0; }
+
+ private:
+  friend class FormulaReader;
+  Result<exact::Rational> parameter(const std::string& name);
+
+  std::map<std::string, std::string> definitions_;
+  std::map<std::string, exact::Rational> known_;
+  std::vector<std::string> open_;  // being read
+};
+
+/// A letter or "_", then letters, digits or "_".
+bool is_parameter_name(std::string_view name);
+
+}  // namespace quoin

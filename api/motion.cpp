@@ -1,0 +1,119 @@
+#include <string>
+
+#include "api/access.h"
+#include "rounding/reconstruct.h"
+
+namespace quoin {
+
+using exact::Rational;
+using rounding::Quaternion;
+
+namespace {
+
+Error bad_axis(const char* what) { return {"bad-axis", std::string("the ") + what + " is 0: it has no direction"}; }
+
+Result<Rational> number(std::string_view text) {
+  if (const auto v = exact::parse_rational(text)) return *v;
+  return Error{"bad-number", "\"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q"};
+}
+
+template <std::size_t N>
+Result<std::array<Rational, N>> numbers(const std::array<std::string, N>& texts) {
+  std::array<Rational, N> r;
+  for (std::size_t k = 0; k < N; ++k) {
+    const auto v = number(texts[k]);
+    if (!v) return v.error();
+    r[k] = v.value();
+  }
+  return r;
+}
+
+bool is_zero(const rounding::Vector& v) { return v == rounding::Vector{0, 0, 0}; }
+
+}  // namespace
+
+Motion::Motion() = default;
+Motion::~Motion() = default;
+Motion::Motion(const Motion&) = default;
+Motion& Motion::operator=(const Motion&) = default;
+Motion::Motion(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+Result<Motion> Motion::rotation(const Text3& axis, std::string_view degrees) {
+  const auto a = numbers(axis);
+  if (!a) return a.error();
+  const auto angle = number(degrees);
+  if (!angle) return angle.error();
+  if (is_zero(a.value())) return bad_axis("axis");
+  return Access::motion(rounding::Motion::rotation(a.value(), angle.value()));
+}
+
+Result<Motion> Motion::translation(const Text3& by) {
+  const auto v = numbers(by);
+  if (!v) return v.error();
+  return Access::motion(rounding::Motion::translation(v.value()));
+}
+
+Result<Motion> Motion::quaternion(const std::array<std::string, 4>& wxyz) {
+  const auto v = numbers(wxyz);
+  if (!v) return v.error();
+  const auto q = rounding::quaternion_along(v.value());
+  if (!q) return bad_axis("quaternion");
+  return Access::motion(rounding::Motion::turn(*q));
+}
+
+Result<Motion> Motion::matrix(const std::array<Text3, 3>& rows, double* deviation) {
+  rounding::Matrix m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = numbers(rows[i]);
+    if (!row) return row.error();
+    m[i] = row.value();
+  }
+  Rational difference = 0;
+  const auto q = rounding::nearest_rotation(m, difference);
+  if (!q)
+    return Error{"not-a-rotation",
+                 "the matrix is no rotation: its rows are not orthonormal to 1e-6, or its determinant is negative"};
+  if (deviation) *deviation = exact::to_double(difference);
+  return Access::motion(rounding::Motion::turn(*q));
+}
+
+Result<Motion> Motion::mirror(const Text3& normal) {
+  const auto n = numbers(normal);
+  if (!n) return n.error();
+  if (is_zero(n.value())) return bad_axis("normal");
+  return Access::motion(rounding::Motion::mirror(n.value()));
+}
+
+Result<Motion> Motion::scaling(const Text3& by) {
+  const auto v = numbers(by);
+  if (!v) return v.error();
+  for (std::size_t k = 0; k < 3; ++k)
+    if (v.value()[k] <= 0)
+      return Error{"bad-factor", "a factor must be positive, not " + by[k] + "; a mirror image turns a solid round"};
+  return Access::motion(rounding::Motion::scaling(v.value()));
+}
+
+Motion Motion::then(const Motion& next) const {
+  return Access::motion(Access::motion(*this).then(Access::motion(next)));
+}
+
+Motion Motion::inverse() const { return Access::motion(Access::motion(*this).inverse()); }
+
+MotionInfo Motion::info() const {
+  const rounding::RealizedMotion realized = rounding::realize(Access::motion(*this));
+  MotionInfo info;
+  if (realized.rotation) {
+    const Quaternion& q = *realized.rotation;
+    info.quaternion = {q.w.str(), q.x.str(), q.y.str(), q.z.str()};
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) info.linear[i][j] = exact::to_string(realized.map.linear[i][j]);
+    info.shift[i] = exact::to_string(realized.map.shift[i]);
+  }
+  info.angle_error = exact::double_above(realized.angle_error_degrees);
+  return info;
+}
+
+bool operator==(const Motion& a, const Motion& b) { return Access::motion(a) == Access::motion(b); }
+
+}  // namespace quoin

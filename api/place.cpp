@@ -1,0 +1,91 @@
+#include "api/place.h"
+
+#include <algorithm>
+
+#include "booleans/canonical.h"
+#include "rounding/enclosure.h"
+
+namespace quoin {
+
+using exact::Rational;
+using rounding::AffineMap;
+using rounding::Method;
+
+namespace {
+
+AffineMap to_grid(const grid::Lattice& lattice) {
+  AffineMap map;
+  for (std::size_t k = 0; k < 3; ++k) {
+    map.linear[k][k] = 1 / lattice.step;
+    map.shift[k] = -lattice.origin[k] / lattice.step;
+  }
+  return map;
+}
+
+rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run) {
+  rounding::ReconstructionOptions options;
+  options.cancel = run.cancel;
+  options.by_vertices = rounding == Rounding::vertices;
+  switch (rounding) {
+    case Rounding::best:
+    case Rounding::vertices:
+      options.method = Method::best;
+      break;
+    case Rounding::naive:
+      options.method = Method::naive;
+      break;
+    case Rounding::continued_fraction:
+      options.method = Method::continued_fraction;
+      break;
+    case Rounding::lattice:
+      options.method = Method::lattice;
+      break;
+    case Rounding::face_local:
+      options.method = Method::face_local;
+      break;
+  }
+  return options;
+}
+
+}  // namespace
+
+Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::Lattice& lattice, Rounding rounding,
+                           const Options& run) {
+  const AffineMap steps = to_grid(lattice);
+  std::vector<rounding::Placement> placements;
+  for (const Placed& p : primitives) placements.push_back({p.shape, p.half_space, composed(p.motion->map, steps)});
+  auto done = rounding::reconstruct(placements, options_of(rounding, run));
+  if (!done) return done.error();
+
+  PlacedBodies result{std::move(done.value().primitives), {}};
+  MotionReport& report = result.report;
+  Rational displacement = 0, angle = 0;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const rounding::Reconstructed& r = result.primitives[i];
+    const rounding::RealizedMotion& motion = *primitives[i].motion;
+    angle = std::max(angle, motion.angle_error_degrees);
+    ++report.primitives;
+    ++(r.by_planes ? report.by_planes : report.by_vertices);
+    report.merged_points += r.merged_points;
+    report.zero_area_triangles += r.zero_area_triangles;
+    report.resolved_crossings += r.resolved_crossings;
+    if (!primitives[i].shape) continue;
+    const Rational by_angle = motion.displacement_per_unit * primitives[i].shape->reach + motion.displacement;
+    displacement = std::max<Rational>(displacement, by_angle + r.displacement * lattice.step);
+  }
+  report.planes = done.value().planes;
+  report.exact_planes = done.value().exact_planes;
+  report.face_local_planes = done.value().face_local_planes;
+  report.angle_error = exact::double_above(angle);
+  report.displacement = exact::double_above(displacement);
+  // As a rational it has few digits.
+  report.displacement_bound = exact::to_string(exact::to_rational(report.displacement));
+  return result;
+}
+
+std::shared_ptr<const rounding::Shape> shape_of(const Solid& solid) {
+  return std::make_shared<rounding::Shape>(
+      rounding::polyhedron_of(booleans::canonical(Access::body(solid)), Access::lattice(solid)));
+}
+
+}  // namespace quoin

@@ -1,0 +1,172 @@
+#include "rounding/polyhedron.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <utility>
+
+#include "booleans/triangulate.h"
+
+namespace quoin::rounding {
+namespace {
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+int sign(const Integer& v) { return v.sign(); }
+int sign(const Rational& v) { return v.sign(); }
+
+Integer determinant(const WidePlane& p, const WidePlane& q, const WidePlane& r) {
+  const auto &a = p.n, &b = q.n, &c = r.n;
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The points of a face by their places in a list, seen along its normal.
+class FacePoints {
+ public:
+  FacePoints(const Polyhedron& p, std::size_t face, std::span<const std::uint32_t> ids) : points_(p.points), ids_(ids) {
+    const auto& n = p.planes[face].n;
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (abs(n[i]) > abs(n[k])) k = i;
+    u_ = (k + 1) % 3;
+    v_ = (k + 2) % 3;
+    if (n[k] < 0) std::swap(u_, v_);
+  }
+  int compare(std::uint32_t a, std::uint32_t b) const {
+    const Vector &p = point(a), &q = point(b);
+    const int first = p[u_].compare(q[u_]);
+    return sign(Integer(first != 0 ? first : p[v_].compare(q[v_])));
+  }
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const Vector &p = point(a), &q = point(b), &r = point(c);
+    return sign(Rational((q[u_] - p[u_]) * (r[v_] - p[v_]) - (q[v_] - p[v_]) * (r[u_] - p[u_])));
+  }
+
+ private:
+  const Vector& point(std::uint32_t i) const { return points_[ids_[i]]; }
+  const std::vector<Vector>& points_;
+  std::span<const std::uint32_t> ids_;
+  std::size_t u_, v_;
+};
+
+}  // namespace
+
+std::uint32_t Polyhedron::add_point(Vector p) {
+  points.push_back(std::move(p));
+  return static_cast<std::uint32_t>(points.size() - 1);
+}
+
+void Polyhedron::add_loop(std::span<const std::uint32_t> loop) {
+  corners.insert(corners.end(), loop.begin(), loop.end());
+  loop_corners.push_back(static_cast<std::uint32_t>(corners.size()));
+  face_loops.back() = static_cast<std::uint32_t>(loop_corners.size() - 1);
+}
+
+void Polyhedron::add_face(std::initializer_list<std::span<const std::uint32_t>> loops) {
+  const auto first = *loops.begin();
+  const Vector &a = points[first[0]], &b = points[first[1]], &c = points[first[2]];
+  const Vector normal = cross(b - a, c - a);
+  planes.push_back(wide_plane(normal, -dot(normal, a)));
+  face_loops.push_back(face_loops.back());
+  for (const auto loop : loops) add_loop(loop);
+}
+
+Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& lattice) {
+  assert(!form.full_at_infinity);
+  Polyhedron p;
+  p.points.reserve(form.vertices.size());
+  for (const exact::Point& v : form.vertices)
+    p.points.push_back({grid::model_coordinate(lattice, v, 0), grid::model_coordinate(lattice, v, 1),
+                        grid::model_coordinate(lattice, v, 2)});
+  AffineMap to_grid;
+  for (std::size_t k = 0; k < 3; ++k) {
+    to_grid.linear[k][k] = 1 / lattice.step;
+    to_grid.shift[k] = -lattice.origin[k] / lattice.step;
+  }
+  p.planes.reserve(form.planes.size());
+  for (const exact::Plane& plane : form.planes)
+    p.planes.push_back(moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, to_grid));
+  p.face_loops = form.face_loops;
+  p.loop_corners = form.loop_corners;
+  p.corners = form.corners;
+  return p;
+}
+
+Rational sixfold_volume(const Polyhedron& p) {
+  Rational sum = 0;
+  for (std::size_t f = 0; f < p.face_count(); ++f) {
+    // A fan about the face's first corner, signed.
+    const Vector& apex = p.points[p.corners[p.loop_corners[p.face_loops[f]]]];
+    p.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { sum += dot(apex, cross(p.points[u], p.points[v])); });
+  }
+  return sum;
+}
+
+std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<booleans::FaceTriangle> local;
+  for (std::size_t f = 0; f < p.face_count(); ++f) {
+    const std::uint32_t begin = p.loop_corners[p.face_loops[f]], end = p.loop_corners[p.face_loops[f + 1]];
+    std::vector<std::uint32_t> ids(p.corners.begin() + begin, p.corners.begin() + end);
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    const auto place = [&](std::uint32_t v) {
+      return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), v) - ids.begin());
+    };
+    std::vector<booleans::FaceEdge> edges;
+    std::vector<std::uint32_t> isolated;
+    p.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({place(u), place(v)}); });
+    for (std::uint32_t j = p.face_loops[f]; j < p.face_loops[f + 1]; ++j)
+      if (p.loop(j).size() == 1) isolated.push_back(place(p.loop(j)[0]));
+    local.clear();
+    if (!booleans::triangulate(FacePoints(p, f, ids), static_cast<std::uint32_t>(ids.size()), edges, isolated, local))
+      return std::nullopt;
+    for (const auto& t : local) triangles.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+  }
+  return triangles;
+}
+
+std::optional<Trihedral> trihedral(const Polyhedron& p) {
+  const auto unoriented = [&](std::size_t f) {
+    return is_canonical(p.planes[f]) ? p.planes[f] : p.planes[f].opposite();
+  };
+  std::map<WidePlane, std::uint32_t> ids;
+  std::vector<std::uint32_t> plane_id;
+  for (std::size_t f = 0; f < p.face_count(); ++f)
+    plane_id.push_back(ids.try_emplace(unoriented(f), static_cast<std::uint32_t>(ids.size())).first->second);
+
+  Trihedral t;
+  // Faces of different planes at each vertex.
+  std::vector<std::vector<std::uint32_t>> at(p.points.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_of;
+  for (std::uint32_t f = 0; f < p.face_count(); ++f) {
+    for (std::uint32_t j = p.face_loops[f]; j < p.face_loops[f + 1]; ++j)
+      if (p.loop(j).size() < 3) return std::nullopt;
+    bool simple = true;
+    p.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
+      simple = simple && face_of.try_emplace({u, v}, f).second;
+      auto& faces = at[u];
+      if (std::none_of(faces.begin(), faces.end(), [&](std::uint32_t g) { return plane_id[g] == plane_id[f]; }))
+        faces.push_back(f);
+    });
+    if (!simple) return std::nullopt;
+  }
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    if (at[v].size() != 3) return std::nullopt;
+    t.faces.push_back({at[v][0], at[v][1], at[v][2]});
+    t.sign.push_back(sign(determinant(p.planes[at[v][0]], p.planes[at[v][1]], p.planes[at[v][2]])));
+    if (t.sign.back() == 0) return std::nullopt;
+  }
+  for (const auto& [edge, f] : face_of) {
+    const auto other = face_of.find({edge.second, edge.first});
+    if (other == face_of.end()) return std::nullopt;
+    for (const std::uint32_t h : t.faces[edge.second])
+      if (plane_id[h] != plane_id[f] && plane_id[h] != plane_id[other->second])
+        t.orders.push_back({edge.first, edge.second, h, sign(value(p.planes[h], p.points[edge.first]))});
+  }
+  return t;
+}
+
+}  // namespace quoin::rounding
