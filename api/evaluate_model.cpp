@@ -218,11 +218,14 @@ bool is_motion(ModelKind kind) { return kind >= ModelKind::rotate && kind <= Mod
 std::string text(const rounding::Step& step) {
   std::string s = std::to_string(step.index());
   const auto add = [&](const auto& numbers) {
-    for (const auto& x : numbers) s += " " + x.str();
+    for (const auto& x : numbers) {
+      s += ' ';
+      s += x.str();
+    }
   };
   if (const auto* rotation = std::get_if<rounding::RotationStep>(&step)) {
     add(rotation->axis);
-    s += " " + rotation->degrees.str();
+    add(std::array{rotation->degrees});
   } else if (const auto* translation = std::get_if<rounding::TranslationStep>(&step)) {
     add(translation->by);
   } else if (const auto* turn = std::get_if<rounding::TurnStep>(&step)) {
@@ -288,6 +291,7 @@ class ModelEvaluator {
   /// The term of the root.
   Result<std::size_t> gather(const Node& root) {
     motions_.push_back({});
+    is_shared_.push_back(false);
     scopes_.push_back({Parameters(options_.parameters), options_.parameters});
     std::vector<Visit> stack{{{&root, 0, 0}}};
     std::size_t last = nowhere;
@@ -321,6 +325,7 @@ class ModelEvaluator {
   Result<Key> child_key(const Key& parent, const Node* child) {
     static const Node empty;
     const auto [node, motion, scope] = parent;
+    is_shared_[motion] = is_shared_[motion] || node->children.size() > 1;
     Key key{child ? child : &empty, motion, scope};
     if (is_motion(node->kind)) {
       Numbers numbers(*node, scopes_[scope].parameters);
@@ -351,6 +356,7 @@ class ModelEvaluator {
     if (!fresh) return at->second;
     if (head.steps().size() > 1) head = own;
     motions_.push_back({std::move(head), then});
+    is_shared_.push_back(false);
     return at->second;
   }
 
@@ -439,12 +445,24 @@ class ModelEvaluator {
   }
 
   const rounding::RealizedMotion& realized(std::size_t motion) {
-    const auto [at, fresh] = realized_.try_emplace(motion);
-    if (!fresh) return at->second;
-    rounding::Motion whole;
-    for (std::size_t m = motion; m != 0; m = motions_[m].rest) whole.add(motions_[m].first.steps()[0]);
-    at->second = rounding::realize(whole);
-    return at->second;
+    // From one shared motion to the next; those known already end the row.
+    std::vector<std::size_t> row;
+    for (std::size_t m = motion; m != 0 && !realized_.count(m);) {
+      row.push_back(m);
+      do m = motions_[m].rest;
+      while (m != 0 && !is_shared_[m]);
+    }
+    for (std::size_t i = row.size(); i-- > 0;) {
+      rounding::Motion own;
+      std::size_t m = row[i];
+      do {
+        own.add(motions_[m].first.steps()[0]);
+        m = motions_[m].rest;
+      } while (m != 0 && !is_shared_[m]);
+      auto& r = realized_[row[i]] = rounding::realize(own);
+      if (m != 0) r = composed(r, realized_.at(m));
+    }
+    return realized_[motion];
   }
 
   Result<Grid> chosen_grid() {
@@ -518,6 +536,7 @@ class ModelEvaluator {
   MotionReport* report_;
   std::string step_;
   std::vector<MotionLink> motions_;
+  std::vector<bool> is_shared_;  // by motion: that of a node with several children, realized for all of them once
   std::map<std::pair<std::size_t, std::string>, std::size_t> motion_ids_;
   std::map<std::size_t, rounding::RealizedMotion> realized_;
   std::deque<Scope> scopes_;

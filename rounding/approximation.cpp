@@ -23,8 +23,8 @@ Integer nearest_integer(const Rational& v) { return nearest_integer(numerator(v)
 
 bool ContinuedFraction::next() {
   if (below_ == 0) return false;
-  quotient_ = floor_of(Rational(above_, below_));
-  Integer rest = above_ - quotient_ * below_;
+  Integer rest;
+  mpz_fdiv_qr(quotient_.backend().data(), rest.backend().data(), above_.backend().data(), below_.backend().data());
   above_ = std::exchange(below_, std::move(rest));
   Integer p = quotient_ * p_ + previous_p_, q = quotient_ * q_ + previous_q_;
   previous_p_ = std::exchange(p_, std::move(p));

@@ -80,6 +80,29 @@ AffineMap inverse(const AffineMap& map) {
   return r;
 }
 
+IntegerMap::IntegerMap(const AffineMap& map) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    divisor = lcm(divisor, denominator(map.shift[i]));
+    for (const Rational& x : map.linear[i]) divisor = lcm(divisor, denominator(x));
+  }
+  const auto whole = [&](const Rational& x) -> Integer { return numerator(x) * (divisor / denominator(x)); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    shift[i] = whole(map.shift[i]);
+    for (std::size_t k = 0; k < 3; ++k) linear[i][k] = whole(map.linear[i][k]);
+  }
+}
+
+std::array<Integer, 3> IntegerMap::operator()(const Vector& p, unsigned bits) const {
+  const Integer common = lcm(lcm(denominator(p[0]), denominator(p[1])), denominator(p[2]));
+  std::array<Integer, 3> n, r;
+  for (std::size_t k = 0; k < 3; ++k) n[k] = numerator(p[k]) * (common / denominator(p[k]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Integer image = linear[i][0] * n[0] + linear[i][1] * n[1] + linear[i][2] * n[2] + shift[i] * common;
+    r[i] = nearest_integer(Integer(image << bits), Integer(divisor * common));
+  }
+  return r;
+}
+
 Quaternion quaternion(Integer w, Integer x, Integer y, Integer z) {
   Integer content = gcd(gcd(w, x), gcd(y, z));
   assert(content != 0);
@@ -367,15 +390,8 @@ AffineMap map_of(const ScalingStep& step) {
   return map;
 }
 
-/// A step, or several: the map, and how far the image of p can be from the origin, stretch |p| + reach.
-struct Realization {
-  RealizedMotion motion;
-  Rational stretch = 1, reach = 0;
-};
-
-Realization realized(const Step& step) {
-  Realization r;
-  RealizedMotion& m = r.motion;
+RealizedMotion realized(const Step& step) {
+  RealizedMotion m;
   if (const auto* rotation = std::get_if<RotationStep>(&step)) {
     const ApproximateRotation a = approximate(*rotation);
     m.map = map_of(a.by);
@@ -387,37 +403,40 @@ Realization realized(const Step& step) {
     m.rotation = turn->by;
   } else if (const auto* translation = std::get_if<TranslationStep>(&step)) {
     m.map.shift = translation->by;
-    r.reach = root_above(dot(translation->by, translation->by));
+    m.reach = root_above(dot(translation->by, translation->by));
   } else if (const auto* mirror = std::get_if<MirrorStep>(&step)) {
     m.map = map_of(*mirror);
     m.rotation.reset();
   } else {
-    const Vector& by = std::get<ScalingStep>(step).by;
-    m.map = map_of(ScalingStep{by});
+    const auto& scaling = std::get<ScalingStep>(step);
+    m.map = map_of(scaling);
     m.rotation.reset();
-    r.stretch = std::max({by[0], by[1], by[2]});
+    m.stretch = std::max({scaling.by[0], scaling.by[1], scaling.by[2]});
   }
-  return r;
+  return m;
 }
 
-Realization realized(std::span<const Step> steps) {
+RealizedMotion realized(std::span<const Step> steps) {
   if (steps.empty()) return {};
   if (steps.size() == 1) return realized(steps[0]);
-  Realization first = realized(steps.first(steps.size() / 2)), second = realized(steps.subspan(steps.size() / 2));
-  RealizedMotion &a = first.motion, &b = second.motion;
-  a.map = composed(a.map, b.map);
-  a.rotation = a.rotation && b.rotation ? std::optional(composed(*a.rotation, *b.rotation)) : std::nullopt;
-  a.angle_error_degrees += b.angle_error_degrees;
-  // What the first displaces the second stretches, and it displaces what the first has made of p.
-  a.displacement_per_unit = second.stretch * a.displacement_per_unit + b.displacement_per_unit * first.stretch;
-  a.displacement = second.stretch * a.displacement + b.displacement_per_unit * first.reach + b.displacement;
-  first.reach = second.stretch * first.reach + second.reach;
-  first.stretch *= second.stretch;
-  return first;
+  return composed(realized(steps.first(steps.size() / 2)), realized(steps.subspan(steps.size() / 2)));
 }
 
 }  // namespace
 
-RealizedMotion realize(const Motion& motion) { return realized(motion.steps()).motion; }
+RealizedMotion composed(const RealizedMotion& a, const RealizedMotion& b) {
+  RealizedMotion m;
+  m.map = composed(a.map, b.map);
+  m.rotation = a.rotation && b.rotation ? std::optional(composed(*a.rotation, *b.rotation)) : std::nullopt;
+  m.angle_error_degrees = a.angle_error_degrees + b.angle_error_degrees;
+  // What the first displaces the second stretches, and it displaces what the first has made of p.
+  m.displacement_per_unit = b.stretch * a.displacement_per_unit + b.displacement_per_unit * a.stretch;
+  m.displacement = b.stretch * a.displacement + b.displacement_per_unit * a.reach + b.displacement;
+  m.reach = b.stretch * a.reach + b.reach;
+  m.stretch = b.stretch * a.stretch;
+  return m;
+}
+
+RealizedMotion realize(const Motion& motion) { return realized(motion.steps()); }
 
 }  // namespace quoin::rounding

@@ -41,6 +41,18 @@ Vector operator+(const Vector& a, const Vector& b);
 Vector operator-(const Vector& a, const Vector& b);
 Vector operator*(const Rational& s, const Vector& v);
 
+/// An affine map in integers over one denominator: images are found without reducing fractions, whose numbers can be
+/// long after many motions.
+struct IntegerMap {
+  explicit IntegerMap(const AffineMap& map);
+  std::array<std::array<Integer, 3>, 3> linear;
+  std::array<Integer, 3> shift;
+  Integer divisor = 1;
+
+  /// 2^bits times the image of p, each coordinate to the nearest integer, ties to even.
+  std::array<Integer, 3> operator()(const Vector& p, unsigned bits) const;
+};
+
 /// A rational rotation as an integer quaternion w + x i + y j + z k in lowest terms, its first non-zero number
 /// positive: equal rotations have equal quaternions. It turns by 2 atan(|(x, y, z)| / w) about (x, y, z).
 struct Quaternion {
@@ -137,10 +149,14 @@ struct RealizedMotion {
   std::optional<Quaternion> rotation = Quaternion{};
   /// Upper bounds of the sum of the differences between stated and realized angles.
   Rational angle_error_degrees = 0;
-  /// A point p is carried to at most displacement_per_unit * |p| + displacement from where the stated motion has it.
+  /// A point p is carried to at most displacement_per_unit * |p| + displacement from where the stated motion has it,
   Rational displacement_per_unit = 0, displacement = 0;
+  /// and to at most stretch * |p| + reach from the origin.
+  Rational stretch = 1, reach = 0;
 };
 /// By halves, so that numbers of a long motion stay short for as long as they can: about O(n log^2 n) digits' work.
 RealizedMotion realize(const Motion& motion);
+/// `first`, then `second`.
+RealizedMotion composed(const RealizedMotion& first, const RealizedMotion& second);
 
 }  // namespace quoin::rounding

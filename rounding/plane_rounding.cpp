@@ -85,14 +85,16 @@ WidePlane wide_plane(const Vector& normal, const Rational& offset) {
   return p;
 }
 
-WidePlane moved(const WidePlane& plane, const AffineMap& to_before) {
-  Vector normal{0, 0, 0};
-  Rational offset = plane.d;
+WidePlane moved(const WidePlane& plane, const IntegerMap& to_before) {
+  WidePlane p{{0, 0, 0}, plane.d * to_before.divisor};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) normal[k] += to_before.linear[i][k] * plane.n[i];
-    offset += to_before.shift[i] * plane.n[i];
+    for (std::size_t k = 0; k < 3; ++k) p.n[k] += to_before.linear[i][k] * plane.n[i];
+    p.d += to_before.shift[i] * plane.n[i];
   }
-  return wide_plane(normal, offset);
+  const Integer content = gcd(gcd(p.n[0], p.n[1]), gcd(p.n[2], p.d));
+  for (Integer& x : p.n) x /= content;
+  p.d /= content;
+  return p;
 }
 
 bool is_canonical(const WidePlane& plane) {

@@ -33,7 +33,10 @@ struct WidePlane {
 /// Precondition: the normal is not 0.
 WidePlane wide_plane(const Vector& normal, const Rational& offset);
 /// The plane of the points that `to_before` carries onto `plane`.
-WidePlane moved(const WidePlane& plane, const AffineMap& to_before);
+WidePlane moved(const WidePlane& plane, const IntegerMap& to_before);
+inline WidePlane moved(const WidePlane& plane, const AffineMap& to_before) {
+  return moved(plane, IntegerMap(to_before));
+}
 /// Of the two orientations, the one whose first non-zero normal component is positive.
 bool is_canonical(const WidePlane& plane);
 Rational value(const WidePlane& plane, const Vector& p);

@@ -19,39 +19,6 @@ namespace {
 
 using booleans::none;
 
-/// An affine map in integers over one denominator: images are found without reducing fractions, whose numbers can be
-/// long after many motions.
-class IntegerMap {
- public:
-  explicit IntegerMap(const AffineMap& map) : divisor_(1) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      divisor_ = lcm(divisor_, denominator(map.shift[i]));
-      for (const Rational& x : map.linear[i]) divisor_ = lcm(divisor_, denominator(x));
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      shift_[i] = numerator(Rational(map.shift[i] * divisor_));
-      for (std::size_t k = 0; k < 3; ++k) linear_[i][k] = numerator(Rational(map.linear[i][k] * divisor_));
-    }
-  }
-
-  /// 2^bits times the image of p, each coordinate to the nearest integer, ties to even.
-  std::array<Integer, 3> operator()(const Vector& p, unsigned bits) const {
-    const Integer common = lcm(lcm(denominator(p[0]), denominator(p[1])), denominator(p[2]));
-    std::array<Integer, 3> n, r;
-    for (std::size_t k = 0; k < 3; ++k) n[k] = numerator(p[k]) * (common / denominator(p[k]));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Integer image = linear_[i][0] * n[0] + linear_[i][1] * n[1] + linear_[i][2] * n[2] + shift_[i] * common;
-      r[i] = nearest_integer(Integer(image << bits), Integer(divisor_ * common));
-    }
-    return r;
-  }
-
- private:
-  std::array<std::array<Integer, 3>, 3> linear_;
-  std::array<Integer, 3> shift_;
-  Integer divisor_;
-};
-
 /// Displacements are measured in units of 2^-unit_bits grid steps.
 constexpr unsigned unit_bits = 160;
 
@@ -146,7 +113,7 @@ class Reconstructor {
   /// The classes of a primitive's planes.
   void gather(std::uint32_t i) {
     const Placement& placement = placements_[i];
-    const AffineMap back = inverse(placement.to_grid);
+    const IntegerMap back(inverse(placement.to_grid));
     const auto add = [&](const WidePlane& before, std::uint32_t face) {
       WidePlane plane = moved(before, back);
       const bool turned = !is_canonical(plane);
@@ -336,7 +303,7 @@ class Reconstructor {
   std::optional<booleans::Body> exactly(std::uint32_t i) {
     const Placement& placement = placements_[i];
     const Polyhedron& shape = placement.shape->polyhedron;
-    const AffineMap back = inverse(placement.to_grid);
+    const IntegerMap back(inverse(placement.to_grid));
     booleans::Canonical form;
     for (const WidePlane& before : shape.planes) {
       const WidePlane plane = moved(before, back);

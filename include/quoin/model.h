@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "quoin/quoin.h"
 #include "quoin/result.h"
 
 namespace quoin {
