@@ -25,7 +25,7 @@ Integer power_of_10(int digits) { return pow(Integer(10), static_cast<unsigned>(
 Matrix transposed(const Matrix& m) {
   return {Vector{m[0][0], m[1][0], m[2][0]}, Vector{m[0][1], m[1][1], m[2][1]}, Vector{m[0][2], m[1][2], m[2][2]}};
 }
-Matrix product(const Matrix& a, const Matrix& b) { return composed({b, {0, 0, 0}}, {a, {0, 0, 0}}).linear; }
+Matrix product(const Matrix& a, const Matrix& b) { return composed(AffineMap{b, {0, 0, 0}}, {a, {0, 0, 0}}).linear; }
 
 Rational random_degrees(std::mt19937_64& random) {
   switch (below(random, 5)) {
