@@ -128,29 +128,38 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Poly
   return triangles;
 }
 
-std::optional<Trihedral> trihedral(const Polyhedron& p) {
-  const auto unoriented = [&](std::size_t f) {
-    return is_canonical(p.planes[f]) ? p.planes[f] : p.planes[f].opposite();
-  };
-  std::map<WidePlane, std::uint32_t> ids;
-  std::vector<std::uint32_t> plane_id;
-  for (std::size_t f = 0; f < p.face_count(); ++f)
-    plane_id.push_back(ids.try_emplace(unoriented(f), static_cast<std::uint32_t>(ids.size())).first->second);
+namespace {
 
-  Trihedral t;
-  // Faces of different planes at each vertex.
+bool on_one_plane(const WidePlane& p, const WidePlane& q) { return p == q || p == q.opposite(); }
+
+/// Faces of different planes at each vertex; nothing as soon as a vertex has more than three.
+std::optional<std::vector<std::vector<std::uint32_t>>> faces_at_vertices(const Polyhedron& p) {
   std::vector<std::vector<std::uint32_t>> at(p.points.size());
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_of;
+  for (std::uint32_t f = 0; f < p.face_count(); ++f)
+    for (std::uint32_t c = p.loop_corners[p.face_loops[f]]; c < p.loop_corners[p.face_loops[f + 1]]; ++c) {
+      auto& faces = at[p.corners[c]];
+      if (std::any_of(faces.begin(), faces.end(),
+                      [&](std::uint32_t g) { return on_one_plane(p.planes[f], p.planes[g]); }))
+        continue;
+      if (faces.size() == 3) return std::nullopt;
+      faces.push_back(f);
+    }
+  return at;
+}
+
+}  // namespace
+
+std::optional<Trihedral> trihedral(const Polyhedron& p) {
+  const auto faces = faces_at_vertices(p);
+  if (!faces) return std::nullopt;
+  const auto& at = *faces;
+  Trihedral t;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_of;  // by directed edge
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
     for (std::uint32_t j = p.face_loops[f]; j < p.face_loops[f + 1]; ++j)
       if (p.loop(j).size() < 3) return std::nullopt;
     bool simple = true;
-    p.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
-      simple = simple && face_of.try_emplace({u, v}, f).second;
-      auto& faces = at[u];
-      if (std::none_of(faces.begin(), faces.end(), [&](std::uint32_t g) { return plane_id[g] == plane_id[f]; }))
-        faces.push_back(f);
-    });
+    p.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { simple = simple && face_of.try_emplace({u, v}, f).second; });
     if (!simple) return std::nullopt;
   }
   for (std::size_t v = 0; v < at.size(); ++v) {
@@ -163,7 +172,7 @@ std::optional<Trihedral> trihedral(const Polyhedron& p) {
     const auto other = face_of.find({edge.second, edge.first});
     if (other == face_of.end()) return std::nullopt;
     for (const std::uint32_t h : t.faces[edge.second])
-      if (plane_id[h] != plane_id[f] && plane_id[h] != plane_id[other->second])
+      if (!on_one_plane(p.planes[h], p.planes[f]) && !on_one_plane(p.planes[h], p.planes[other->second]))
         t.orders.push_back({edge.first, edge.second, h, sign(value(p.planes[h], p.points[edge.first]))});
   }
   return t;

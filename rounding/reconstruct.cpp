@@ -268,15 +268,20 @@ class Reconstructor {
       return {};
     }
     result.body = std::move(body);
-    result.displacement = 0;
-    if (std::all_of(face_class_[i].begin(), face_class_[i].end(),
-                    [&](const auto& c) { return rounder_.fits(classes_[c.first].exact); }))
-      return {};
-    const IntegerMap map(placement.to_grid);
-    for (std::size_t v = 0; v < shape.points.size(); ++v)
-      result.displacement =
-          std::max(result.displacement, distance_above(map(shape.points[v], unit_bits), scaled(form.vertices[v])));
+    result.displacement = displacement(i, form);
     return {};
+  }
+
+  /// How far the vertices are from where the motion has them, at most.
+  Rational displacement(std::uint32_t i, const booleans::Canonical& form) {
+    Rational most = 0;
+    const auto is_exact = [&](const auto& c) { return rounder_.fits(classes_[c.first].exact); };
+    if (std::all_of(face_class_[i].begin(), face_class_[i].end(), is_exact)) return most;
+    const IntegerMap map(placements_[i].to_grid);
+    const auto& points = placements_[i].shape->polyhedron.points;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      most = std::max(most, distance_above(map(points[v], unit_bits), scaled(form.vertices[v])));
+    return most;
   }
 
   /// In units.
