@@ -112,13 +112,8 @@ Result<WidePlane> boundary_of(const std::array<Rational, 4>& plane) {
 }
 
 Expression half_space(const exact::Plane& plane, const grid::Lattice& lattice) {
-  // In model units: n . (x - origin) / step + d.
-  rounding::AffineMap steps;
-  for (std::size_t k = 0; k < 3; ++k) {
-    steps.linear[k][k] = 1 / lattice.step;
-    steps.shift[k] = -lattice.origin[k] / lattice.step;
-  }
-  const WidePlane p = moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, steps);
+  const WidePlane p =
+      moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, rounding::to_grid(lattice));
   return HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}};
 }
 

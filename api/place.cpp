@@ -8,19 +8,9 @@
 namespace quoin {
 
 using exact::Rational;
-using rounding::AffineMap;
 using rounding::Method;
 
 namespace {
-
-AffineMap to_grid(const grid::Lattice& lattice) {
-  AffineMap map;
-  for (std::size_t k = 0; k < 3; ++k) {
-    map.linear[k][k] = 1 / lattice.step;
-    map.shift[k] = -lattice.origin[k] / lattice.step;
-  }
-  return map;
-}
 
 rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run) {
   rounding::ReconstructionOptions options;
@@ -51,7 +41,7 @@ rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run
 
 Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::Lattice& lattice, Rounding rounding,
                            const Options& run) {
-  const AffineMap steps = to_grid(lattice);
+  const rounding::AffineMap steps = rounding::to_grid(lattice);
   std::vector<rounding::Placement> placements;
   for (const Placed& p : primitives) placements.push_back({p.shape, p.half_space, composed(p.motion->map, steps)});
   auto done = rounding::reconstruct(placements, options_of(rounding, run));

@@ -73,6 +73,15 @@ void Polyhedron::add_face(std::initializer_list<std::span<const std::uint32_t>> 
   for (const auto loop : loops) add_loop(loop);
 }
 
+AffineMap to_grid(const grid::Lattice& lattice) {
+  AffineMap map;
+  for (std::size_t k = 0; k < 3; ++k) {
+    map.linear[k][k] = 1 / lattice.step;
+    map.shift[k] = -lattice.origin[k] / lattice.step;
+  }
+  return map;
+}
+
 Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& lattice) {
   assert(!form.full_at_infinity);
   Polyhedron p;
@@ -80,14 +89,10 @@ Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& l
   for (const exact::Point& v : form.vertices)
     p.points.push_back({grid::model_coordinate(lattice, v, 0), grid::model_coordinate(lattice, v, 1),
                         grid::model_coordinate(lattice, v, 2)});
-  AffineMap to_grid;
-  for (std::size_t k = 0; k < 3; ++k) {
-    to_grid.linear[k][k] = 1 / lattice.step;
-    to_grid.shift[k] = -lattice.origin[k] / lattice.step;
-  }
+  const IntegerMap steps(to_grid(lattice));
   p.planes.reserve(form.planes.size());
   for (const exact::Plane& plane : form.planes)
-    p.planes.push_back(moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, to_grid));
+    p.planes.push_back(moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, steps));
   p.face_loops = form.face_loops;
   p.loop_corners = form.loop_corners;
   p.corners = form.corners;

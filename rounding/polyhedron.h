@@ -43,6 +43,8 @@ struct Polyhedron {
   void add_loop(std::span<const std::uint32_t> loop);
 };
 
+/// Model units to grid steps.
+AffineMap to_grid(const grid::Lattice& lattice);
 /// A solid's boundary in model units. Precondition: bounded.
 Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& lattice);
 

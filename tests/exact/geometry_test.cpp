@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "tests/exact/support.h"
@@ -390,6 +393,44 @@ TEST(GeometryTest, SegmentMeetAtTheCornersOfTheWorld) {
     EXPECT_EQ(to_integer(m.w), 6 * Integer(limit) * world);
     for (int k = 0; k < 3; ++k) EXPECT_EQ(coordinate(m, k), -rational(d) / rational(limit) / 3);
   }
+}
+
+/// How many lines a x + b y + c = 0 there are, their directions, and the points in which two of them meet: all, and
+/// those within a square about the origin.
+struct GridOfLines {
+  std::size_t lines, directions, points, near, around;
+  friend bool operator==(const GridOfLines&, const GridOfLines&) = default;
+};
+
+GridOfLines grid_of_lines(std::int64_t normal, std::int64_t offset, int near, int around) {
+  const auto smaller = [](const Plane& p, const Plane& q) { return compare(p, q) < 0; };
+  std::set<Plane, decltype(smaller)> lines(smaller), directions(smaller);
+  for (std::int64_t a = -normal; a <= normal; ++a)
+    for (std::int64_t b = -normal; b <= normal; ++b)
+      for (std::int64_t c = -offset; c <= offset; ++c) {
+        if (a == 0 && b == 0) continue;
+        const Plane p = reduced_plane({a, b, 0}, c), d = reduced_plane({a, b, 0}, 0);
+        lines.insert(is_canonical(p) ? p : p.opposite());
+        directions.insert(is_canonical(d) ? d : d.opposite());
+      }
+  const Plane floor{{0, 0, 1}, 0};
+  std::set<std::array<Rational, 2>> points;
+  for (auto p = lines.begin(); p != lines.end(); ++p)
+    for (auto q = std::next(p); q != lines.end(); ++q)
+      if (const auto m = meet(*p, *q, floor)) points.insert({coordinate(*m, 0), coordinate(*m, 1)});
+  const auto within = [&](int size) {
+    return static_cast<std::size_t>(std::count_if(
+        points.begin(), points.end(), [&](const auto& v) { return abs(v[0]) <= size && abs(v[1]) <= size; }));
+  };
+  return {lines.size(), directions.size(), points.size(), within(near), within(around)};
+}
+
+// E05: drawn in the literature, counted here.
+TEST(GeometryTest, E05GridsOfLines) {
+  EXPECT_EQ(grid_of_lines(2, 2, 1, 4), (GridOfLines{48, 8, 341, 125, 309}));
+  EXPECT_EQ(grid_of_lines(2, 8, 1, 4), (GridOfLines{168, 8, 4329, 137, 1729}));
+  EXPECT_EQ(grid_of_lines(2, 4, 1, 4), (GridOfLines{88, 8, 1173, 137, 821}));
+  EXPECT_EQ(grid_of_lines(3, 9, 1, 4), (GridOfLines{392, 16, 24001, 1233, 12305}));
 }
 
 }  // namespace
