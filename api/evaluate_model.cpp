@@ -440,22 +440,20 @@ class ModelEvaluator {
   }
 
   const rounding::RealizedMotion& realized(std::size_t motion) {
-    // From one shared motion to the next; those known already end the row.
-    std::vector<std::size_t> row;
-    for (std::size_t m = motion; m != 0 && !realized_.count(m);) {
-      row.push_back(m);
-      do m = motions_[m].rest;
-      while (m != 0 && !is_shared_[m]);
-    }
-    for (std::size_t i = row.size(); i-- > 0;) {
-      rounding::Motion own;
-      std::size_t m = row[i];
+    // The steps from one shared motion to the next, up to one that is known, or the identity.
+    std::vector<std::pair<std::size_t, rounding::Motion>> row;
+    std::size_t m = motion;
+    while (m != 0 && !realized_.count(m)) {
+      auto& own = row.emplace_back(m, rounding::Motion()).second;
       do {
         own.add(motions_[m].first.steps()[0]);
         m = motions_[m].rest;
       } while (m != 0 && !is_shared_[m]);
-      auto& r = realized_[row[i]] = rounding::realize(own);
+    }
+    for (; !row.empty(); row.pop_back()) {
+      auto& r = realized_[row.back().first] = rounding::realize(row.back().second);
       if (m != 0) r = composed(r, realized_.at(m));
+      m = row.back().first;
     }
     return realized_[motion];
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "booleans/canonical.h"
-#include "rounding/enclosure.h"
 
 namespace quoin {
 

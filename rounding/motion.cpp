@@ -129,17 +129,23 @@ Matrix matrix(const Quaternion& q) {
 
 namespace {
 
-/// Of the four rows of 4 q q^T, each proportional to the quaternion of the rotation m, the one of largest diagonal.
-std::array<Rational, 4> quaternion_row(const Matrix& m) {
-  const std::array<std::array<Rational, 4>, 4> rows{
+using Matrix4 = std::array<std::array<Rational, 4>, 4>;
+
+/// 4 q q^T of the rotation's unit quaternion q, if m is a rotation.
+Matrix4 quaternion_products(const Matrix& m) {
+  return {
       std::array<Rational, 4>{1 + m[0][0] + m[1][1] + m[2][2], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
       {m[2][1] - m[1][2], 1 + m[0][0] - m[1][1] - m[2][2], m[0][1] + m[1][0], m[0][2] + m[2][0]},
       {m[0][2] - m[2][0], m[0][1] + m[1][0], 1 - m[0][0] + m[1][1] - m[2][2], m[1][2] + m[2][1]},
       {m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], 1 - m[0][0] - m[1][1] + m[2][2]}};
+}
+
+/// Each row is proportional to the quaternion: the one of largest diagonal.
+const std::array<Rational, 4>& largest_row(const Matrix4& products) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < 4; ++i)
-    if (rows[i][i] > rows[best][best]) best = i;
-  return rows[best];
+    if (products[i][i] > products[best][best]) best = i;
+  return products[best];
 }
 
 Rational largest(const std::array<Rational, 4>& v) {
@@ -168,26 +174,22 @@ std::optional<Quaternion> quaternion_along(const std::array<Rational, 4>& v) {
 
 std::optional<Quaternion> exact_rotation(const Matrix& m) {
   if (defect(m) != 0 || determinant(m) != 1) return std::nullopt;
-  return quaternion_along(quaternion_row(m));
+  return quaternion_along(largest_row(quaternion_products(m)));
 }
 
 std::optional<Quaternion> nearest_rotation(const Matrix& m, Rational& deviation) {
   if (defect(m) > Rational(1, 1000000) || determinant(m) < 0) return std::nullopt;
   deviation = 0;
   if (auto q = exact_rotation(m)) return q;
-  // The quaternion is the eigenvector of the largest eigenvalue, about 3, of a symmetric matrix whose other eigenvalues
-  // are about -1 (B. K. P. Horn, 1987). Shifted by 1 they are about 4 and about 0: each step gains 20 bits.
-  const std::array<std::array<Rational, 4>, 4> k{
-      std::array<Rational, 4>{m[0][0] + m[1][1] + m[2][2], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
-      {m[2][1] - m[1][2], m[0][0] - m[1][1] - m[2][2], m[0][1] + m[1][0], m[0][2] + m[2][0]},
-      {m[0][2] - m[2][0], m[0][1] + m[1][0], m[1][1] - m[0][0] - m[2][2], m[1][2] + m[2][1]},
-      {m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], m[2][2] - m[0][0] - m[1][1]}};
+  // The quaternion is the eigenvector of the largest eigenvalue, about 4, of a symmetric matrix whose other eigenvalues
+  // are about 0 (B. K. P. Horn, 1987): each step gains 20 bits.
+  const Matrix4 products = quaternion_products(m);
   const Integer unit = Integer(1) << 128;
-  std::array<Rational, 4> v = quaternion_row(m);
+  std::array<Rational, 4> v = largest_row(products);
   for (int step = 0; step < 8; ++step) {
-    std::array<Rational, 4> next = v;
+    std::array<Rational, 4> next{0, 0, 0, 0};
     for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) next[i] += k[i][j] * v[j];
+      for (std::size_t j = 0; j < 4; ++j) next[i] += products[i][j] * v[j];
     const Rational size = largest(next);
     for (std::size_t i = 0; i < 4; ++i) v[i] = naive_approximation(next[i] / size, unit);
   }

@@ -14,9 +14,6 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-int sign(const Integer& v) { return v.sign(); }
-int sign(const Rational& v) { return v.sign(); }
-
 Integer determinant(const WidePlane& p, const WidePlane& q, const WidePlane& r) {
   const auto &a = p.n, &b = q.n, &c = r.n;
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -36,12 +33,12 @@ class FacePoints {
   }
   int compare(std::uint32_t a, std::uint32_t b) const {
     const Vector &p = point(a), &q = point(b);
-    const int first = p[u_].compare(q[u_]);
-    return sign(Integer(first != 0 ? first : p[v_].compare(q[v_])));
+    const int first = p[u_].compare(q[u_]), order = first != 0 ? first : p[v_].compare(q[v_]);
+    return (order > 0) - (order < 0);
   }
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Vector &p = point(a), &q = point(b), &r = point(c);
-    return sign(Rational((q[u_] - p[u_]) * (r[v_] - p[v_]) - (q[v_] - p[v_]) * (r[u_] - p[u_])));
+    return Rational((q[u_] - p[u_]) * (r[v_] - p[v_]) - (q[v_] - p[v_]) * (r[u_] - p[u_])).sign();
   }
 
  private:
@@ -170,7 +167,7 @@ std::optional<Trihedral> trihedral(const Polyhedron& p) {
   for (std::size_t v = 0; v < at.size(); ++v) {
     if (at[v].size() != 3) return std::nullopt;
     t.faces.push_back({at[v][0], at[v][1], at[v][2]});
-    t.sign.push_back(sign(determinant(p.planes[at[v][0]], p.planes[at[v][1]], p.planes[at[v][2]])));
+    t.sign.push_back(determinant(p.planes[at[v][0]], p.planes[at[v][1]], p.planes[at[v][2]]).sign());
     if (t.sign.back() == 0) return std::nullopt;
   }
   for (const auto& [edge, f] : face_of) {
@@ -178,7 +175,7 @@ std::optional<Trihedral> trihedral(const Polyhedron& p) {
     if (other == face_of.end()) return std::nullopt;
     for (const std::uint32_t h : t.faces[edge.second])
       if (!on_one_plane(p.planes[h], p.planes[f]) && !on_one_plane(p.planes[h], p.planes[other->second]))
-        t.orders.push_back({edge.first, edge.second, h, sign(value(p.planes[h], p.points[edge.first]))});
+        t.orders.push_back({edge.first, edge.second, h, value(p.planes[h], p.points[edge.first]).sign()});
   }
   return t;
 }
