@@ -22,14 +22,11 @@ struct Map {
 Map map_between(const grid::Lattice& from, const grid::Lattice& to) {
   const Rational ratio = from.step / to.step;
   std::array<Rational, 3> shift;
+  for (std::size_t k = 0; k < 3; ++k) shift[k] = (from.origin[k] - to.origin[k]) / to.step;
   Map map;
-  map.divisor = denominator(ratio);
-  for (std::size_t k = 0; k < 3; ++k) {
-    shift[k] = (from.origin[k] - to.origin[k]) / to.step;
-    map.divisor = lcm(map.divisor, denominator(shift[k]));
-  }
-  map.scale = numerator(Rational(ratio * map.divisor));
-  for (std::size_t k = 0; k < 3; ++k) map.shift[k] = numerator(Rational(shift[k] * map.divisor));
+  map.divisor = exact::common_denominator(std::array{ratio, shift[0], shift[1], shift[2]});
+  map.scale = exact::whole(ratio, map.divisor);
+  map.shift = exact::whole(shift, map.divisor);
   return map;
 }
 

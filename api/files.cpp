@@ -164,6 +164,17 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
   return build(std::move(sources), options, reports);
 }
 
+Result<Model> Model::read(const std::string& path) {
+  const auto text = io::read_file(path);
+  if (!text) return in_file(text.error(), path);
+  const auto slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, std::max<std::size_t>(slash, 1));
+  auto model = from_json(text.value(), folder);
+  // The mesh beside it has its own name.
+  if (!model && model.error().file.empty()) return in_file(model.error(), path);
+  return model;
+}
+
 std::string to_bytes(const Mesh& mesh, Format format) {
   return io::write_mesh(mesh.points, mesh.triangles, mesh_format(format));
 }

@@ -1,3 +1,5 @@
+#include "api/motion.h"
+
 #include <string>
 
 #include "api/access.h"
@@ -38,13 +40,53 @@ Motion::Motion(const Motion&) = default;
 Motion& Motion::operator=(const Motion&) = default;
 Motion::Motion(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
+Result<rounding::Motion> rotation_of(const rounding::Vector& axis, const Rational& degrees) {
+  if (is_zero(axis)) return bad_axis("axis");
+  return rounding::Motion::rotation(axis, degrees);
+}
+
+Result<rounding::Motion> turn_of(const std::array<Rational, 4>& wxyz) {
+  const auto q = rounding::quaternion_along(wxyz);
+  if (!q) return bad_axis("quaternion");
+  return rounding::Motion::turn(*q);
+}
+
+Result<rounding::Motion> turn_of(const rounding::Matrix& rows, Rational& deviation) {
+  const auto q = rounding::nearest_rotation(rows, deviation);
+  if (!q)
+    return Error{"not-a-rotation",
+                 "the matrix is no rotation: its rows are not orthonormal to 1e-6, or its determinant is negative"};
+  return rounding::Motion::turn(*q);
+}
+
+Result<rounding::Motion> mirror_of(const rounding::Vector& normal) {
+  if (is_zero(normal)) return bad_axis("normal");
+  return rounding::Motion::mirror(normal);
+}
+
+Result<rounding::Motion> scaling_of(const rounding::Vector& factors) {
+  for (const Rational& x : factors)
+    if (x <= 0)
+      return Error{"bad-factor",
+                   "a factor must be positive, not " + exact::to_string(x) + "; a mirror image turns a solid round"};
+  return rounding::Motion::scaling(factors);
+}
+
+namespace {
+
+Result<Motion> published(Result<rounding::Motion> motion) {
+  if (!motion) return motion.error();
+  return Access::motion(std::move(motion).value());
+}
+
+}  // namespace
+
 Result<Motion> Motion::rotation(const Text3& axis, std::string_view degrees) {
   const auto a = numbers(axis);
   if (!a) return a.error();
   const auto angle = number(degrees);
   if (!angle) return angle.error();
-  if (is_zero(a.value())) return bad_axis("axis");
-  return Access::motion(rounding::Motion::rotation(a.value(), angle.value()));
+  return published(rotation_of(a.value(), angle.value()));
 }
 
 Result<Motion> Motion::translation(const Text3& by) {
@@ -56,9 +98,7 @@ Result<Motion> Motion::translation(const Text3& by) {
 Result<Motion> Motion::quaternion(const std::array<std::string, 4>& wxyz) {
   const auto v = numbers(wxyz);
   if (!v) return v.error();
-  const auto q = rounding::quaternion_along(v.value());
-  if (!q) return bad_axis("quaternion");
-  return Access::motion(rounding::Motion::turn(*q));
+  return published(turn_of(v.value()));
 }
 
 Result<Motion> Motion::matrix(const std::array<Text3, 3>& rows, double* deviation) {
@@ -69,28 +109,21 @@ Result<Motion> Motion::matrix(const std::array<Text3, 3>& rows, double* deviatio
     m[i] = row.value();
   }
   Rational difference = 0;
-  const auto q = rounding::nearest_rotation(m, difference);
-  if (!q)
-    return Error{"not-a-rotation",
-                 "the matrix is no rotation: its rows are not orthonormal to 1e-6, or its determinant is negative"};
-  if (deviation) *deviation = exact::to_double(difference);
-  return Access::motion(rounding::Motion::turn(*q));
+  auto motion = turn_of(m, difference);
+  if (motion && deviation) *deviation = exact::to_double(difference);
+  return published(std::move(motion));
 }
 
 Result<Motion> Motion::mirror(const Text3& normal) {
   const auto n = numbers(normal);
   if (!n) return n.error();
-  if (is_zero(n.value())) return bad_axis("normal");
-  return Access::motion(rounding::Motion::mirror(n.value()));
+  return published(mirror_of(n.value()));
 }
 
 Result<Motion> Motion::scaling(const Text3& by) {
   const auto v = numbers(by);
   if (!v) return v.error();
-  for (std::size_t k = 0; k < 3; ++k)
-    if (v.value()[k] <= 0)
-      return Error{"bad-factor", "a factor must be positive, not " + by[k] + "; a mirror image turns a solid round"};
-  return Access::motion(rounding::Motion::scaling(v.value()));
+  return published(scaling_of(v.value()));
 }
 
 Motion Motion::then(const Motion& next) const {

@@ -4,11 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -110,43 +106,23 @@ Result<Operands> load(Session& session) {
   return load(session, session.arguments.trust ? Trust::embedded : Trust::nothing);
 }
 
-/// The whole text of a file, or of standard input for "-".
-Result<std::string> read_text(const std::string& path) {
-  std::ostringstream text;
-  if (path == "-") {
-    text << std::cin.rdbuf();
-  } else {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return Error{.code = "missing-file", .message = "the file cannot be opened", .file = path};
-    if (std::filesystem::is_directory(path))
-      return Error{.code = "unreadable", .message = "this is a folder", .file = path};
-    text << file.rdbuf();
-  }
-  return std::move(text).str();
-}
-
 /// Evaluates a model.
 Result<Computed> evaluate_model(Session& session) {
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
-  const auto in_file = [&](Error error) {
-    if (error.file.empty()) error.file = path;
-    return error;
-  };
-  const auto model = session.times.measure(Stage::read, [&]() -> Result<Model> {
-    const auto text = read_text(path);
-    if (!text) return text.error();
-    const auto slash = path.rfind('/');
-    return Model::from_json(text.value(), slash == std::string::npos ? "." : path.substr(0, slash));
-  });
-  if (!model) return in_file(model.error());
+  const auto model = session.times.measure(Stage::read, [&] { return Model::read(path); });
+  if (!model) return model.error();
   Computed computed;
   auto solid = polled_stage(session, Stage::boolean, [&] {
     const ModelOptions options = {
         .grid = a.grid, .parameters = a.parameters, .rounding = a.rounding, .run = session.options("evaluating")};
     return evaluate(model.value(), options, &computed.motion.emplace());
   });
-  if (!solid) return in_file(solid.error());
+  if (!solid) {
+    Error error = solid.error();
+    if (error.file.empty()) error.file = path;
+    return error;
+  }
   computed.solids.push_back(std::move(solid).value());
   return computed;
 }

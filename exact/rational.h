@@ -55,6 +55,32 @@ double to_double(const Rational& v);
 double double_above(const Rational& v);
 /// Correctly rounded to float32.
 float to_float(const Rational& v);
+/// The least common denominator of an array of rationals.
+template <std::size_t N>
+Integer common_denominator(const std::array<Rational, N>& v) {
+  Integer common = 1;
+  for (const Rational& x : v) common = lcm(common, denominator(x));
+  return common;
+}
+/// v times a multiple of its denominator.
+inline Integer whole(const Rational& v, const Integer& multiple) { return numerator(v) * (multiple / denominator(v)); }
+template <std::size_t N>
+std::array<Integer, N> whole(const std::array<Rational, N>& v, const Integer& multiple) {
+  std::array<Integer, N> r;
+  for (std::size_t i = 0; i < N; ++i) r[i] = whole(v[i], multiple);
+  return r;
+}
+
+/// Divided by their greatest common divisor. Precondition: not all are 0.
+template <std::size_t N>
+std::array<Integer, N> primitive(std::array<Integer, N> v) {
+  Integer content = 0;
+  for (const Integer& x : v) content = gcd(content, x);
+  if (content != 1)
+    for (Integer& x : v) x /= content;
+  return v;
+}
+
 /// The exact k-th coordinate.
 Rational coordinate(const Point& u, int k);
 

@@ -110,21 +110,20 @@ Rational model_coordinate(const Lattice& lattice, std::int32_t grid_coordinate, 
 
 std::optional<Affine> affine(const Lattice& lattice) {
   assert(lattice.step > 0);
-  Integer common = denominator(lattice.step);
-  for (const Rational& o : lattice.origin) common = lcm(common, denominator(o));
-  const std::array<Rational, 4> scaled{lattice.origin[0] * common, lattice.origin[1] * common,
-                                       lattice.origin[2] * common, lattice.step * common};
+  const std::array v{lattice.origin[0], lattice.origin[1], lattice.origin[2], lattice.step};
+  const Integer common = exact::common_denominator(v);
+  const std::array<Integer, 4> scaled = exact::whole(v, common);
   // Twos move into the exponent.
-  auto twos = lsb(numerator(scaled[3]));
+  auto twos = lsb(scaled[3]);
   for (std::size_t k = 0; k < 3; ++k)
-    if (scaled[k] != 0) twos = std::min(twos, lsb(abs(numerator(scaled[k]))));
+    if (scaled[k] != 0) twos = std::min(twos, lsb(abs(scaled[k])));
   const auto below = lsb(common);
   const long exponent = static_cast<long>(twos) - static_cast<long>(below);
-  const Integer limit = Integer(1) << 53, d = common >> below, factor = numerator(scaled[3]) >> twos;
+  const Integer limit = Integer(1) << 53, d = common >> below, factor = scaled[3] >> twos;
   if (exponent < -700 || exponent > 700 || d > limit || factor > limit) return std::nullopt;
   Affine r{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Integer n = numerator(scaled[k]), m = abs(n) >> twos;
+    const Integer &n = scaled[k], m = abs(n) >> twos;
     if (m + (factor << 31) > limit) return std::nullopt;
     r.offset[k] = static_cast<std::int64_t>(m) * (n < 0 ? -1 : 1);
   }
@@ -193,14 +192,7 @@ std::optional<exact::Plane> grid_plane(const Lattice& lattice, const std::array<
     p[3] += model_plane[k] * lattice.origin[k];
   }
   if (zero) return std::nullopt;
-  Integer common = 1, content = 0;
-  for (const Rational& c : p) common = lcm(common, denominator(c));
-  std::array<Integer, 4> n;
-  for (std::size_t k = 0; k < 4; ++k) {
-    n[k] = numerator(Rational(p[k] * common));
-    content = gcd(content, n[k]);
-  }
-  for (Integer& c : n) c /= content;
+  const std::array<Integer, 4> n = exact::primitive(exact::whole(p, exact::common_denominator(p)));
   const Integer limit = exact::coefficient_limit, offset_limit = exact::to_integer(exact::offset_limit);
   exact::Plane r{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -9,8 +9,11 @@
 
 namespace quoin::rounding {
 
+using exact::common_denominator;
 using exact::Integer;
+using exact::primitive;
 using exact::Rational;
+using exact::whole;
 
 inline Rational magnitude(const Rational& v) { return v < 0 ? Rational(-v) : v; }
 /// v rounded to the nearest integer, ties to even: odd in v.

@@ -13,12 +13,11 @@ Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] +
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector operator*(const Rational& s, const Vector& v) { return {s * v[0], s * v[1], s * v[2]}; }
 Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-namespace {
-
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+
+namespace {
 
 Vector times(const Matrix& m, const Vector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
@@ -30,17 +29,7 @@ Matrix times(const Matrix& a, const Matrix& b) {
 }
 
 /// A direction in lowest terms.
-Axis primitive(const Vector& v) {
-  Integer common = lcm(lcm(denominator(v[0]), denominator(v[1])), denominator(v[2])), content = 0;
-  Axis a;
-  for (std::size_t k = 0; k < 3; ++k) {
-    a[k] = numerator(Rational(v[k] * common));
-    content = gcd(content, a[k]);
-  }
-  assert(content != 0);
-  for (Integer& x : a) x /= content;
-  return a;
-}
+Axis direction_of(const Vector& v) { return primitive(whole(v, common_denominator(v))); }
 
 bool points_backward(const Axis& a) { return a[0] < 0 || (a[0] == 0 && (a[1] < 0 || (a[1] == 0 && a[2] < 0))); }
 
@@ -80,22 +69,16 @@ AffineMap inverse(const AffineMap& map) {
   return r;
 }
 
-IntegerMap::IntegerMap(const AffineMap& map) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    divisor = lcm(divisor, denominator(map.shift[i]));
-    for (const Rational& x : map.linear[i]) divisor = lcm(divisor, denominator(x));
-  }
-  const auto whole = [&](const Rational& x) -> Integer { return numerator(x) * (divisor / denominator(x)); };
-  for (std::size_t i = 0; i < 3; ++i) {
-    shift[i] = whole(map.shift[i]);
-    for (std::size_t k = 0; k < 3; ++k) linear[i][k] = whole(map.linear[i][k]);
-  }
+IntegerMap::IntegerMap(const AffineMap& map) : divisor(common_denominator(map.shift)) {
+  for (const Vector& row : map.linear) divisor = lcm(divisor, common_denominator(row));
+  shift = whole(map.shift, divisor);
+  for (std::size_t i = 0; i < 3; ++i) linear[i] = whole(map.linear[i], divisor);
 }
 
 std::array<Integer, 3> IntegerMap::operator()(const Vector& p, unsigned bits) const {
-  const Integer common = lcm(lcm(denominator(p[0]), denominator(p[1])), denominator(p[2]));
-  std::array<Integer, 3> n, r;
-  for (std::size_t k = 0; k < 3; ++k) n[k] = numerator(p[k]) * (common / denominator(p[k]));
+  const Integer common = common_denominator(p);
+  const std::array<Integer, 3> n = whole(p, common);
+  std::array<Integer, 3> r;
   for (std::size_t i = 0; i < 3; ++i) {
     const Integer image = linear[i][0] * n[0] + linear[i][1] * n[1] + linear[i][2] * n[2] + shift[i] * common;
     r[i] = nearest_integer(Integer(image << bits), Integer(divisor * common));
@@ -104,11 +87,10 @@ std::array<Integer, 3> IntegerMap::operator()(const Vector& p, unsigned bits) co
 }
 
 Quaternion quaternion(Integer w, Integer x, Integer y, Integer z) {
-  Integer content = gcd(gcd(w, x), gcd(y, z));
-  assert(content != 0);
-  const Integer* first = w != 0 ? &w : x != 0 ? &x : y != 0 ? &y : &z;
-  if (*first < 0) content = -content;
-  return {w / content, x / content, y / content, z / content};
+  const auto v = primitive(std::array{std::move(w), std::move(x), std::move(y), std::move(z)});
+  const Integer& first = *std::find_if(v.begin(), v.end(), [](const Integer& n) { return n != 0; });
+  if (first < 0) return {-v[0], -v[1], -v[2], -v[3]};
+  return {v[0], v[1], v[2], v[3]};
 }
 
 Quaternion composed(const Quaternion& p, const Quaternion& q) {
@@ -165,11 +147,9 @@ Rational defect(const Matrix& m) {
 }  // namespace
 
 std::optional<Quaternion> quaternion_along(const std::array<Rational, 4>& v) {
-  Integer common = 1;
-  for (const Rational& x : v) common = lcm(common, denominator(x));
-  const auto whole = [&](const Rational& x) { return numerator(Rational(x * common)); };
   if (largest(v) == 0) return std::nullopt;
-  return quaternion(whole(v[0]), whole(v[1]), whole(v[2]), whole(v[3]));
+  const std::array<Integer, 4> q = whole(v, common_denominator(v));
+  return quaternion(q[0], q[1], q[2], q[3]);
 }
 
 std::optional<Quaternion> exact_rotation(const Matrix& m) {
@@ -323,7 +303,7 @@ void Motion::add(Step step) {
 
 Motion Motion::rotation(const Vector& axis, const Rational& degrees) {
   Motion m;
-  Axis a = primitive(axis);
+  Axis a = direction_of(axis);
   Rational angle = degrees;
   if (points_backward(a)) {
     for (Integer& x : a) x = -x;
@@ -346,7 +326,7 @@ Motion Motion::turn(const Quaternion& by) {
 }
 
 Motion Motion::mirror(const Vector& normal) {
-  Axis a = primitive(normal);
+  Axis a = direction_of(normal);
   if (points_backward(a))
     for (Integer& x : a) x = -x;
   Motion m;

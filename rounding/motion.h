@@ -37,6 +37,7 @@ AffineMap composed(const AffineMap& first, const AffineMap& second);
 AffineMap inverse(const AffineMap& map);
 Rational determinant(const Matrix& m);
 Rational dot(const Vector& a, const Vector& b);
+Vector cross(const Vector& a, const Vector& b);
 Vector operator+(const Vector& a, const Vector& b);
 Vector operator-(const Vector& a, const Vector& b);
 Vector operator*(const Rational& s, const Vector& v);

@@ -20,20 +20,6 @@ long binary_logarithm(const Rational& v) { return bit_length(numerator(v)) - bit
 using rounding::dot;
 Integer dot(const Normal& a, const Normal& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-std::size_t largest_component(const Normal& n) {
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (abs(n[i]) > abs(n[k])) k = i;
-  return k;
-}
-
-/// In lowest terms. Precondition: not 0.
-Normal primitive(Normal n) {
-  const Integer content = gcd(gcd(n[0], n[1]), n[2]);
-  for (Integer& x : n) x /= content;
-  return n;
-}
-
 /// |a x b|^2
 Integer squared_cross(const Normal& a, const Normal& b) {
   const Normal c{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -59,6 +45,12 @@ void for_small_combinations(std::size_t size, Visit&& visit) {
   }
 }
 
+WidePlane in_lowest_terms(std::array<Integer, 4> p) {
+  assert(p[0] != 0 || p[1] != 0 || p[2] != 0);
+  p = primitive(std::move(p));
+  return {{p[0], p[1], p[2]}, p[3]};
+}
+
 /// The combination of the rows.
 LatticeVector combined(const std::vector<LatticeVector>& rows, const std::vector<int>& c) {
   LatticeVector sum(rows.front().size());
@@ -69,32 +61,25 @@ LatticeVector combined(const std::vector<LatticeVector>& rows, const std::vector
 
 }  // namespace
 
+std::size_t largest_component(const Normal& n) {
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (abs(n[i]) > abs(n[k])) k = i;
+  return k;
+}
+
 WidePlane wide_plane(const Vector& normal, const Rational& offset) {
-  Integer common = denominator(offset);
-  for (const Rational& x : normal) common = lcm(common, denominator(x));
-  WidePlane p;
-  p.d = numerator(Rational(offset * common));
-  Integer content = p.d;
-  for (std::size_t k = 0; k < 3; ++k) {
-    p.n[k] = numerator(Rational(normal[k] * common));
-    content = gcd(content, p.n[k]);
-  }
-  assert(p.n[0] != 0 || p.n[1] != 0 || p.n[2] != 0);
-  for (Integer& x : p.n) x /= content;
-  p.d /= content;
-  return p;
+  const std::array v{normal[0], normal[1], normal[2], offset};
+  return in_lowest_terms(whole(v, common_denominator(v)));
 }
 
 WidePlane moved(const WidePlane& plane, const IntegerMap& to_before) {
-  WidePlane p{{0, 0, 0}, plane.d * to_before.divisor};
+  std::array<Integer, 4> p{0, 0, 0, plane.d * to_before.divisor};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) p.n[k] += to_before.linear[i][k] * plane.n[i];
-    p.d += to_before.shift[i] * plane.n[i];
+    for (std::size_t k = 0; k < 3; ++k) p[k] += to_before.linear[i][k] * plane.n[i];
+    p[3] += to_before.shift[i] * plane.n[i];
   }
-  const Integer content = gcd(gcd(p.n[0], p.n[1]), gcd(p.n[2], p.d));
-  for (Integer& x : p.n) x /= content;
-  p.d /= content;
-  return p;
+  return in_lowest_terms(std::move(p));
 }
 
 bool is_canonical(const WidePlane& plane) {
@@ -195,10 +180,8 @@ std::optional<exact::Plane> PlaneRounder::continued_fraction(const WidePlane& pl
   const auto fraction = [&](const Integer& v) { return best_approximation(Rational(v, abs(plane.n[k])), root); };
   const std::array<Rational, 4> f{fraction(plane.n[0]), fraction(plane.n[1]), fraction(plane.n[2]), fraction(plane.d)};
   // Of three fractions: the k-th is 1 or -1.
-  Integer common = 1;
-  for (const Rational& x : f) common = lcm(common, denominator(x));
-  const auto whole = [&](std::size_t i) { return numerator(Rational(f[i] * common)); };
-  return checked({whole(0), whole(1), whole(2)}, whole(3));
+  const std::array<Integer, 4> p = whole(f, common_denominator(f));
+  return checked({p[0], p[1], p[2]}, p[3]);
 }
 
 std::optional<exact::Plane> PlaneRounder::with_direction(const WidePlane& plane, const Normal& direction) const {
@@ -222,14 +205,9 @@ Normal PlaneRounder::naive_direction(const Normal& n) const {
 Normal PlaneRounder::continued_fraction_direction(const Normal& n) const {
   const Integer& top = n[largest_component(n)];
   const Integer root = sqrt(coefficient_);
-  std::array<Rational, 3> f;
-  Integer common = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    f[i] = best_approximation(Rational(n[i], abs(top)), root);
-    common = lcm(common, denominator(f[i]));
-  }
-  return primitive(
-      {numerator(Rational(f[0] * common)), numerator(Rational(f[1] * common)), numerator(Rational(f[2] * common))});
+  Vector f;
+  for (std::size_t i = 0; i < 3; ++i) f[i] = best_approximation(Rational(n[i], abs(top)), root);
+  return primitive(whole(f, common_denominator(f)));
 }
 
 // The vectors (q e, q v - x 2^s, q w - y 2^s) for v, w the ratios n_i / n_k and n_j / n_k times 2^s. With

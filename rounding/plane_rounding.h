@@ -30,6 +30,8 @@ struct WidePlane {
   friend bool operator<(const WidePlane& a, const WidePlane& b) { return a.n != b.n ? a.n < b.n : a.d < b.d; }
 };
 
+/// The index of the component of largest absolute value; of several the first.
+std::size_t largest_component(const std::array<Integer, 3>& n);
 /// Precondition: the normal is not 0.
 WidePlane wide_plane(const Vector& normal, const Rational& offset);
 /// The plane of the points that `to_before` carries onto `plane`.

@@ -10,10 +10,6 @@
 namespace quoin::rounding {
 namespace {
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Integer determinant(const WidePlane& p, const WidePlane& q, const WidePlane& r) {
   const auto &a = p.n, &b = q.n, &c = r.n;
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -24,9 +20,7 @@ class FacePoints {
  public:
   FacePoints(const Polyhedron& p, std::size_t face, std::span<const std::uint32_t> ids) : points_(p.points), ids_(ids) {
     const auto& n = p.planes[face].n;
-    std::size_t k = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (abs(n[i]) > abs(n[k])) k = i;
+    const std::size_t k = largest_component(n);
     u_ = (k + 1) % 3;
     v_ = (k + 2) % 3;
     if (n[k] < 0) std::swap(u_, v_);

@@ -31,6 +31,7 @@ std::optional<Error> positive_fault(const Rational& v, const char* what) {
 }
 
 Rational cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
+using rounding::cross;
 using rounding::operator-;
 PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
@@ -394,7 +395,7 @@ class Hull {
 
   WidePlane plane_of(const std::array<Index, 3>& c) const {
     const Vector e = points_[c[1]] - points_[c[0]], f = points_[c[2]] - points_[c[0]];
-    const Vector n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    const Vector n = cross(e, f);
     return wide_plane(n, -dot(n, points_[c[0]]));
   }
 

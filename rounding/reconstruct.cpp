@@ -326,14 +326,14 @@ class Reconstructor {
 
   /// The point in lowest terms, if it lies in the world and is as short as a meeting of three planes.
   static std::optional<exact::Point> point(const Vector& v) {
-    const Integer common = lcm(lcm(denominator(v[0]), denominator(v[1])), denominator(v[2]));
+    const Integer common = common_denominator(v);
     const auto w = exact::to_int<exact::Denominator::bits>(common);
     if (!w) return std::nullopt;
     exact::Point p{};
     p.w = *w;
     for (std::size_t k = 0; k < 3; ++k) {
       if (magnitude(v[k]) > exact::world) return std::nullopt;
-      p.x[k] = *exact::to_int<exact::Numerator::bits>(numerator(Rational(v[k] * common)));
+      p.x[k] = *exact::to_int<exact::Numerator::bits>(whole(v[k], common));
       p.approximation[k] = exact::rounded_quotient(p.x[k], p.w);
     }
     return p;

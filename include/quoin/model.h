@@ -201,6 +201,9 @@ class Model {
   /// Meshes that the text names are read relative to `folder`. Errors: "bad-model" (`where` is "line L, column C"), and
   /// those of `read`.
   static Result<Model> from_json(std::string_view text, const std::string& folder = ".");
+  /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,
+  /// naming the file.
+  static Result<Model> read(const std::string& path);
 
  private:
   friend struct Access;

@@ -379,6 +379,25 @@ TEST(ModelFile, MeshesOfAFolder) {
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "missing-file");
   EXPECT_EQ(missing.error().file, folder.string() + "/no.stl");
+
+  // From a file: meshes are beside it, and errors name the file at fault.
+  const auto written = [&](const std::string& text) {
+    const std::string path = (folder / "model.json").string();
+    std::ofstream(path) << text;
+    return Model::read(path);
+  };
+  const auto read = written(document(R"({"mesh": {"file": "b.stl"}})"));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(volume(evaluated(read.value())), "4");
+  EXPECT_EQ(written(document(R"({"mesh": {"file": "no.stl"}})")).error().file, folder.string() + "/no.stl");
+  const auto broken = written("{");
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.error().file, (folder / "model.json").string());
+  EXPECT_EQ(broken.error().code, "bad-model");
+  const auto absent = Model::read((folder / "absent.json").string());
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().code, "missing-file");
+  EXPECT_EQ(absent.error().file, (folder / "absent.json").string());
   EXPECT_EQ(refusal(document(R"({"mesh": {}})")), "line 1, column 38: bad-model");
   EXPECT_EQ(refusal(document(R"({"mesh": {"file": 1}})")), "line 1, column 38: bad-model");
   EXPECT_EQ(refusal(document(R"({"mesh": {"file": "a", "unit": "mm"}})")), "line 1, column 63: bad-model");

@@ -211,6 +211,19 @@ TEST(Model, ParametersAndErrors) {
   EXPECT_EQ(evaluate(block("1", "1", "1").translated({"1e9", "0", "0"}), on_grid("1")).error().code, "out-of-range");
 }
 
+// A text has at most 4,000 digits; what formulas make of it may have more.
+TEST(Model, FormulasMakeLongNumbers) {
+  std::string big = "a";
+  for (int i = 0; i < 11; ++i) big += "*a";
+  const auto result = [](const Model& model) {
+    return evaluated(model.with_parameters({{"a", "1e400"}}), on_grid("1/1024"));
+  };
+  const Model part = block("2", "1", "1");
+  EXPECT_EQ(result(part.rotated({big, "0", "0"}, "360/4")), result(part.rotated({"1", "0", "0"}, "90")));
+  EXPECT_EQ(result(part.translated({big, "0", "0"}).translated({"-" + big, "0", "0"})), result(part));
+  EXPECT_EQ(result(part.turned({"0", "0", "0", big}).turned({"0", "0", "0", "1"})), result(part));
+}
+
 TEST(Model, MirrorsAndScalings) {
   const Model part = examples::bracket_variants()[3];
   const Solid start = evaluated(part, on_grid("1/1024"));

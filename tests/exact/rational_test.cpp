@@ -214,5 +214,15 @@ TEST(RationalTest, CoordinatesOfPoints) {
   EXPECT_EQ(to_string(coordinate(*v, 1)), "-2/3");
 }
 
+TEST(RationalTest, CommonDenominators) {
+  const std::array v{Rational(1, 6), Rational(-3, 4), Rational(0), Rational(5)};
+  EXPECT_EQ(common_denominator(v), 12);
+  EXPECT_EQ(common_denominator(std::array{Rational(-7), Rational(0)}), 1);
+  EXPECT_EQ(whole(v, 12), (std::array<Integer, 4>{2, -9, 0, 60}));
+  EXPECT_EQ(whole(v, -24), (std::array<Integer, 4>{-4, 18, 0, -120}));
+  EXPECT_EQ(primitive(std::array<Integer, 4>{-4, 18, 0, -120}), (std::array<Integer, 4>{-2, 9, 0, -60}));
+  EXPECT_EQ(primitive(std::array<Integer, 2>{0, -5}), (std::array<Integer, 2>{0, -1}));
+}
+
 }  // namespace
 }  // namespace quoin::exact::testing

@@ -1,0 +1,205 @@
+#include "api/primitive.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "api/motion.h"
+#include "booleans/canonical.h"
+#include "rounding/primitives.h"
+
+namespace quoin {
+
+using exact::Rational;
+using Node = Access::ModelNode;
+using rounding::Polyhedron;
+using rounding::WidePlane;
+
+namespace {
+
+/// The numbers of one node, read in one scope. The first error stays, and numbers after it are 1.
+class Numbers {
+ public:
+  Numbers(const Node& node, Parameters& parameters) : node_(node), parameters_(parameters) {}
+
+  Rational scalar(std::size_t field) { return number(node_.values[field]); }
+  template <std::size_t N>
+  std::array<Rational, N> vector(std::size_t field) {
+    return vector<N>(node_.values[field]);
+  }
+  template <std::size_t N>
+  std::vector<std::array<Rational, N>> list(std::size_t field) {
+    return list<N>(node_.values[field]);
+  }
+  std::vector<std::vector<std::vector<rounding::PlanePoint>>> polygons(std::size_t field) {
+    std::vector<std::vector<std::vector<rounding::PlanePoint>>> r;
+    for (const ModelValue& polygon : node_.values[field].items) {
+      auto& outlines = r.emplace_back();
+      for (const ModelValue& outline : polygon.items) outlines.push_back(list<2>(outline));
+    }
+    return r;
+  }
+  std::uint32_t count(std::size_t field) {
+    const Rational v = scalar(field);
+    if (denominator(v) == 1 && v >= 0 && v <= std::numeric_limits<std::uint32_t>::max())
+      return static_cast<std::uint32_t>(numerator(v));
+    fail({"bad-number", "\"" + node_.values[field].text + "\" is no count, that is a whole number"});
+    return 3;
+  }
+  rounding::Fit fit(std::size_t field) {
+    const std::string& word = node_.values[field].text;
+    if (word == "circumscribed") return rounding::Fit::circumscribed;
+    if (word == "equal-area") return rounding::Fit::equal_area;
+    if (word != "inscribed")
+      fail({"bad-primitive", "\"" + word + "\" is no fit: inscribed, circumscribed or equal-area"});
+    return rounding::Fit::inscribed;
+  }
+
+  std::optional<Error> error;
+
+ private:
+  void fail(Error e) {
+    if (!error) error = std::move(e);
+  }
+  Rational number(const ModelValue& value) {
+    auto v = parameters_.value(value.text);
+    if (v) return v.value();
+    fail(v.error());
+    return 1;
+  }
+  template <std::size_t N>
+  std::array<Rational, N> vector(const ModelValue& value) {
+    std::array<Rational, N> r;
+    for (std::size_t k = 0; k < N; ++k) r[k] = number(value.items[k]);
+    return r;
+  }
+  template <std::size_t N>
+  std::vector<std::array<Rational, N>> list(const ModelValue& value) {
+    std::vector<std::array<Rational, N>> r;
+    for (const ModelValue& item : value.items) r.push_back(vector<N>(item));
+    return r;
+  }
+
+  const Node& node_;
+  Parameters& parameters_;
+};
+
+Result<WidePlane> boundary_of(const std::array<Rational, 4>& plane) {
+  if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
+    return Error{"bad-plane", "the normal of a half-space is 0: it has no direction"};
+  return rounding::wide_plane({plane[0], plane[1], plane[2]}, plane[3]);
+}
+
+/// The polyhedron that half-spaces enclose, by a Boolean of them on a grid that is coarse for it.
+Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Options& run) {
+  if (planes.empty()) return Error{"unbounded", "an intersection of no half-spaces is all of space"};
+  Rational reach = 0;
+  for (const WidePlane& p : planes) {
+    const Rational size = rounding::magnitude(p.n[0]) + rounding::magnitude(p.n[1]) + rounding::magnitude(p.n[2]);
+    reach = std::max<Rational>(reach, rounding::magnitude(p.d) / size);
+  }
+  grid::Lattice lattice;
+  while (reach > lattice.step * (1 << 18)) lattice.step *= 2;
+  const Grid grid = Access::grid(lattice);
+  std::vector<Expression> terms;
+  for (const WidePlane& p : planes)
+    terms.emplace_back(HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}});
+  auto solid = evaluate(Solid::empty(grid) + Expression::intersection_of(std::move(terms)), {.cancel = run.cancel});
+  if (!solid) return solid.error();
+  if (solid.value().is_empty()) return Polyhedron{};
+  return rounding::polyhedron_of(booleans::canonical(Access::body(solid.value())), lattice);
+}
+
+Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
+  using enum ModelKind;
+  const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) {
+    const Rational h = n.scalar(height);
+    const std::uint32_t sides = n.count(height + 1);
+    return rounding::frustum(sides, bottom, top, h, n.fit(height + 2));
+  };
+  switch (node.kind) {
+    case block:
+      return rounding::block(n.vector<3>(0));
+    case wedge:
+      return rounding::wedge(n.vector<3>(0), n.scalar(1));
+    case prism: {
+      const Rational radius = n.scalar(1);
+      return rounding::frustum(n.count(0), radius, radius, n.scalar(2), rounding::Fit::inscribed);
+    }
+    case ModelKind::cylinder: {
+      const Rational radius = n.scalar(0);
+      return cylinder_of(radius, radius, 1);
+    }
+    case cone:
+      return cylinder_of(n.scalar(0), 0, 1);
+    case frustum:
+      return cylinder_of(n.scalar(0), n.scalar(1), 2);
+    case sphere:
+      return rounding::sphere(n.scalar(0), n.count(1));
+    case tangent_sphere: {
+      const auto planes = rounding::tangent_sphere(n.scalar(0), n.count(1));
+      return planes ? intersection(planes.value(), run) : planes.error();
+    }
+    case torus:
+      return rounding::torus(n.scalar(0), n.scalar(1), n.count(2), n.count(3));
+    case convex: {
+      std::vector<WidePlane> planes;
+      for (const auto& p : n.list<4>(0)) {
+        const auto plane = boundary_of(p);
+        if (!plane) return plane.error();
+        planes.push_back(plane.value());
+      }
+      return intersection(planes, run);
+    }
+    case hull:
+      return rounding::convex_hull(n.list<3>(0));
+    default:
+      return rounding::extrusion(n.polygons(0), n.vector<3>(1));
+  }
+}
+
+Result<rounding::Motion> motion(const Node& node, Numbers& n) {
+  switch (node.kind) {
+    case ModelKind::rotate:
+      return rotation_of(n.vector<3>(0), n.scalar(1));
+    case ModelKind::translate:
+      return rounding::Motion::translation(n.vector<3>(0));
+    case ModelKind::turn:
+      return turn_of(n.vector<4>(0));
+    case ModelKind::transform: {
+      const auto rows = n.list<3>(0);
+      Rational deviation;
+      return turn_of({rows[0], rows[1], rows[2]}, deviation);
+    }
+    case ModelKind::mirror:
+      return mirror_of(n.vector<3>(0));
+    default:
+      return scaling_of(n.vector<3>(0));
+  }
+}
+
+/// What `make` makes of the node's numbers; a number that cannot be read comes first.
+template <class Make>
+auto made(const Node& node, Parameters& parameters, Make&& make) -> decltype(make(std::declval<Numbers&>())) {
+  Numbers numbers(node, parameters);
+  auto result = make(numbers);
+  if (numbers.error) return *numbers.error;
+  return result;
+}
+
+}  // namespace
+
+bool is_motion(ModelKind kind) { return kind >= ModelKind::rotate && kind <= ModelKind::scale; }
+
+Result<Polyhedron> primitive_of(const Node& node, Parameters& parameters, const Options& run) {
+  return made(node, parameters, [&](Numbers& n) { return primitive(node, n, run); });
+}
+
+Result<WidePlane> half_space_of(const Node& node, Parameters& parameters) {
+  return made(node, parameters, [](Numbers& n) { return boundary_of(n.vector<4>(0)); });
+}
+
+Result<rounding::Motion> motion_of(const Node& node, Parameters& parameters) {
+  return made(node, parameters, [&](Numbers& n) { return motion(node, n); });
+}
+
+}  // namespace quoin
