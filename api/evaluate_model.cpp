@@ -288,10 +288,12 @@ class ModelEvaluator {
                  [](const Solid& a, const Solid& b) { return Access::lattice(a).step < Access::lattice(b).step; })
           ->grid();
     std::vector<double> points;
-    for (const Placed& p : primitives_)
-      if (p.shape)
-        for (const auto& v : p.shape->polyhedron.points)
-          for (const Rational& x : p.motion->map(v)) points.push_back(exact::to_double(x));
+    for (const Placed& p : primitives_) {
+      if (!p.shape) continue;
+      const rounding::AffineMap map = composed(p.shape->to_model, p.motion->map);
+      for (const auto& v : p.shape->polyhedron.points)
+        for (const Rational& x : map(v)) points.push_back(exact::to_double(x));
+    }
     return fitting_grid(std::array{std::span<const double>(points)});
   }
 

@@ -42,7 +42,10 @@ Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::La
                            const Options& run) {
   const rounding::AffineMap steps = rounding::to_grid(lattice);
   std::vector<rounding::Placement> placements;
-  for (const Placed& p : primitives) placements.push_back({p.shape, p.half_space, composed(p.motion->map, steps)});
+  for (const Placed& p : primitives) {
+    const rounding::AffineMap to_grid = composed(p.motion->map, steps);
+    placements.push_back({p.shape, p.half_space, p.shape ? composed(p.shape->to_model, to_grid) : to_grid});
+  }
   auto done = rounding::reconstruct(placements, options_of(rounding, run));
   if (!done) return done.error();
 
@@ -73,8 +76,8 @@ Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::La
 }
 
 std::shared_ptr<const rounding::Shape> shape_of(const Solid& solid) {
-  return std::make_shared<rounding::Shape>(
-      rounding::polyhedron_of(booleans::canonical(Access::body(solid)), Access::lattice(solid)));
+  return std::make_shared<rounding::Shape>(rounding::polyhedron_of(booleans::canonical(Access::body(solid))),
+                                           Access::lattice(solid));
 }
 
 }  // namespace quoin

@@ -106,7 +106,8 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
   auto solid = evaluate(Solid::empty(grid) + Expression::intersection_of(std::move(terms)), {.cancel = run.cancel});
   if (!solid) return solid.error();
   if (solid.value().is_empty()) return Polyhedron{};
-  return rounding::polyhedron_of(booleans::canonical(Access::body(solid.value())), lattice);
+  return carried(rounding::polyhedron_of(booleans::canonical(Access::body(solid.value()))),
+                 inverse(rounding::to_grid(lattice)));
 }
 
 Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {

@@ -101,7 +101,11 @@ Rational to_rational(double v) {
   return Rational(n, Integer(1) << static_cast<unsigned>(-e));
 }
 
-double to_double(const Rational& v) { return rounded(v, 53, -1074); }
+double to_double(const Rational& v) {
+  const auto n = mpq_numref(v.backend().data());
+  if (mpz_cmp_ui(mpq_denref(v.backend().data()), 1) == 0 && mpz_sizeinbase(n, 2) <= 53) return mpz_get_d(n);
+  return rounded(v, 53, -1074);
+}
 
 double double_above(const Rational& v) {
   const double r = to_double(v);

@@ -54,6 +54,27 @@ struct IntegerMap {
   std::array<Integer, 3> operator()(const Vector& p, unsigned bits) const;
 };
 
+/// An affine map in doubles, with certified errors: the filter before IntegerMap.
+class MapFilter {
+ public:
+  explicit MapFilter(const AffineMap& map);
+  /// The image's coordinate is at most `error` from `value`.
+  struct Estimate {
+    double value, error;
+  };
+  /// Of coordinate k of the image of a point whose coordinates are rounded to doubles, or, `in_steps`, integers of at
+  /// most 2^30: then rows of integers have no error.
+  Estimate operator()(std::size_t k, const std::array<double, 3>& p, bool in_steps) const;
+
+ private:
+  struct Row {
+    std::array<double, 3> linear;
+    double shift;
+    bool is_whole;  // integers whose images of such points are below 2^53
+  };
+  std::array<Row, 3> rows_;
+};
+
 /// A rational rotation as an integer quaternion w + x i + y j + z k in lowest terms, its first non-zero number
 /// positive: equal rotations have equal quaternions. It turns by 2 atan(|(x, y, z)| / w) about (x, y, z).
 struct Quaternion {

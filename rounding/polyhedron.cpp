@@ -73,20 +73,35 @@ AffineMap to_grid(const grid::Lattice& lattice) {
   return map;
 }
 
-Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& lattice) {
+Polyhedron polyhedron_of(const booleans::Canonical& form) {
   assert(!form.full_at_infinity);
   Polyhedron p;
   p.points.reserve(form.vertices.size());
-  for (const exact::Point& v : form.vertices)
-    p.points.push_back({grid::model_coordinate(lattice, v, 0), grid::model_coordinate(lattice, v, 1),
-                        grid::model_coordinate(lattice, v, 2)});
-  const IntegerMap steps(to_grid(lattice));
+  const exact::Denominator one(1);
+  for (const exact::Point& v : form.vertices) {
+    Vector& q = p.points.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The approximation of a grid point is exact.
+      if (v.w == one)
+        q[k] = static_cast<std::int64_t>(v.approximation[k]);
+      else
+        q[k] = exact::coordinate(v, static_cast<int>(k));
+    }
+  }
   p.planes.reserve(form.planes.size());
   for (const exact::Plane& plane : form.planes)
-    p.planes.push_back(moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, steps));
+    p.planes.push_back({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)});
   p.face_loops = form.face_loops;
   p.loop_corners = form.loop_corners;
   p.corners = form.corners;
+  return p;
+}
+
+Polyhedron carried(Polyhedron p, const AffineMap& map) {
+  assert(determinant(map.linear) > 0);
+  const IntegerMap back(inverse(map));
+  for (Vector& v : p.points) v = map(v);
+  for (WidePlane& plane : p.planes) plane = moved(plane, back);
   return p;
 }
 
@@ -105,6 +120,10 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Poly
   std::vector<booleans::FaceTriangle> local;
   for (std::size_t f = 0; f < p.face_count(); ++f) {
     const std::uint32_t begin = p.loop_corners[p.face_loops[f]], end = p.loop_corners[p.face_loops[f + 1]];
+    if (end - begin == 3 && p.face_loops[f + 1] - p.face_loops[f] == 1) {
+      triangles.push_back({p.corners[begin], p.corners[begin + 1], p.corners[begin + 2]});
+      continue;
+    }
     std::vector<std::uint32_t> ids(p.corners.begin() + begin, p.corners.begin() + end);
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -126,19 +145,30 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Poly
 
 namespace {
 
-bool on_one_plane(const WidePlane& p, const WidePlane& q) { return p == q || p == q.opposite(); }
+/// Equal or opposite.
+bool on_one_plane(const WidePlane& p, const WidePlane& q) {
+  int sign = 0;
+  const auto agree = [&](const Integer& a, const Integer& b) {
+    const int s = a.sign() * b.sign();
+    if (sign == 0) sign = s;
+    return mpz_cmpabs(a.backend().data(), b.backend().data()) == 0 && (s == 0 || s == sign);
+  };
+  return agree(p.n[0], q.n[0]) && agree(p.n[1], q.n[1]) && agree(p.n[2], q.n[2]) && agree(p.d, q.d);
+}
 
-/// Faces of different planes at each vertex; nothing as soon as a vertex has more than three.
-std::optional<std::vector<std::vector<std::uint32_t>>> faces_at_vertices(const Polyhedron& p) {
-  std::vector<std::vector<std::uint32_t>> at(p.points.size());
+/// Faces of different planes at each vertex, `none` for those that lack; nothing as soon as a vertex has more than
+/// three.
+std::optional<std::vector<std::array<std::uint32_t, 3>>> faces_at_vertices(const Polyhedron& p) {
+  using booleans::none;
+  std::vector<std::array<std::uint32_t, 3>> at(p.points.size(), {none, none, none});
   for (std::uint32_t f = 0; f < p.face_count(); ++f)
     for (std::uint32_t c = p.loop_corners[p.face_loops[f]]; c < p.loop_corners[p.face_loops[f + 1]]; ++c) {
       auto& faces = at[p.corners[c]];
-      if (std::any_of(faces.begin(), faces.end(),
-                      [&](std::uint32_t g) { return on_one_plane(p.planes[f], p.planes[g]); }))
-        continue;
-      if (faces.size() == 3) return std::nullopt;
-      faces.push_back(f);
+      const auto place = std::find_if(faces.begin(), faces.end(), [&](std::uint32_t g) {
+        return g == none || on_one_plane(p.planes[f], p.planes[g]);
+      });
+      if (place == faces.end()) return std::nullopt;
+      if (*place == none) *place = f;
     }
   return at;
 }
@@ -159,8 +189,8 @@ std::optional<Trihedral> trihedral(const Polyhedron& p) {
     if (!simple) return std::nullopt;
   }
   for (std::size_t v = 0; v < at.size(); ++v) {
-    if (at[v].size() != 3) return std::nullopt;
-    t.faces.push_back({at[v][0], at[v][1], at[v][2]});
+    if (at[v][2] == booleans::none) return std::nullopt;
+    t.faces.push_back(at[v]);
     t.sign.push_back(determinant(p.planes[at[v][0]], p.planes[at[v][1]], p.planes[at[v][2]]).sign());
     if (t.sign.back() == 0) return std::nullopt;
   }

@@ -12,7 +12,7 @@
 
 namespace quoin::rounding {
 
-/// The boundary of a bounded solid with rational vertices, maximal faces and edges. Model units.
+/// The boundary of a bounded solid with rational vertices, maximal faces and edges. Model units, or grid steps.
 /// Normals point outwards, loops run counter-clockwise seen from outside.
 struct Polyhedron {
   std::vector<Vector> points;
@@ -45,8 +45,10 @@ struct Polyhedron {
 
 /// Model units to grid steps.
 AffineMap to_grid(const grid::Lattice& lattice);
-/// A solid's boundary in model units. Precondition: bounded.
-Polyhedron polyhedron_of(const booleans::Canonical& form, const grid::Lattice& lattice);
+/// A solid's boundary, in grid steps. Precondition: bounded.
+Polyhedron polyhedron_of(const booleans::Canonical& form);
+/// The image under a map. Precondition: its determinant is positive.
+Polyhedron carried(Polyhedron p, const AffineMap& map);
 
 /// Six times the enclosed volume.
 Rational sixfold_volume(const Polyhedron& p);

@@ -38,6 +38,10 @@ bool in_world(const exact::Point& p) {
   });
 }
 
+bool in_world(const std::array<double, 3>& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::fabs(x) <= exact::world; });
+}
+
 std::string text(const Vector& p) {
   std::string s;
   for (const Rational& x : p) s += (s.empty() ? "(" : ", ") + std::to_string(exact::to_double(x));
@@ -361,17 +365,9 @@ class Reconstructor {
       }
     auto triangles = triangulated(placement.shape->polyhedron);
     if (!triangles) return Error{"bad-primitive", "a face is no region: its loops cross", {}, name(i)};
-    const IntegerMap map(placement.to_grid);
-    std::vector<double> coordinates;
-    for (const Vector& p : placement.shape->polyhedron.points) {
-      std::array<Integer, 3> q = map(p, 0);
-      for (Integer& x : q) {
-        if (abs(x) > exact::world) return out_of_range(i, moved_points(i));
-        coordinates.push_back(static_cast<double>(static_cast<std::int64_t>(x)));
-        x <<= unit_bits;
-      }
-      result.displacement = std::max(result.displacement, distance_above(map(p, unit_bits), q));
-    }
+    const auto snapped = snapped_points(placement, result.displacement);
+    if (!snapped) return out_of_range(i, moved_points(i));
+    const std::vector<double>& coordinates = *snapped;
     std::vector<std::uint32_t> corners;
     const bool turned = determinant(placement.to_grid.linear) < 0;
     for (auto& t : *triangles) {
@@ -395,6 +391,45 @@ class Reconstructor {
     // What rounding has turned inside out as a whole has no inside.
     if (booleans::volume(resolved.value()) > 0) result.body = std::move(resolved).value();
     return {};
+  }
+
+  /// The points of a shape at the grid points nearest to where they are carried, ties to even, three coordinates each;
+  /// nothing if one leaves the world. `displacement` becomes an upper bound of their movement.
+  static std::optional<std::vector<double>> snapped_points(const Placement& placement, Rational& displacement) {
+    const MapFilter filter(placement.to_grid);
+    const IntegerMap map(placement.to_grid);
+    std::vector<double> coordinates;
+    double most = 0;  // the square of the largest movement, of points that the filter decides
+    for (const Vector& p : placement.shape->polyhedron.points) {
+      const std::array approximation{exact::to_double(p[0]), exact::to_double(p[1]), exact::to_double(p[2])};
+      const bool in_steps = common_denominator(p) == 1 && in_world(approximation);
+      double square = 0;
+      std::array<double, 3> nearest;
+      bool is_decided = true;
+      for (std::size_t k = 0; k < 3 && is_decided; ++k) {
+        const auto [value, error] = filter(k, approximation, in_steps);
+        nearest[k] = std::nearbyint(value);
+        // What looks exact is not decided here, so that exact motions have the displacement 0.
+        const double distance = std::fabs(value - nearest[k]);
+        is_decided = error == 0 || (distance > error && distance + error < 0.5);
+        square += (distance + error) * (distance + error);
+      }
+      if (is_decided) {
+        most = std::max(most, square);
+      } else {
+        std::array<Integer, 3> q = map(p, 0);
+        for (std::size_t k = 0; k < 3; ++k) nearest[k] = exact::to_double(q[k]);
+        if (placement.to_grid(p) != Vector{q[0], q[1], q[2]}) {
+          for (Integer& x : q) x <<= unit_bits;
+          displacement = std::max(displacement, distance_above(map(p, unit_bits), q));
+        }
+      }
+      if (!in_world(nearest)) return std::nullopt;
+      coordinates.insert(coordinates.end(), nearest.begin(), nearest.end());
+    }
+    // The sums and the root are rounded: far less than 2^-40.
+    displacement = std::max(displacement, exact::to_rational(std::sqrt(most) * (1 + 0x1p-40)));
+    return coordinates;
   }
 
   /// How many points lie where an earlier one does.
@@ -426,16 +461,27 @@ class Reconstructor {
   Reconstruction out_;
 };
 
+/// An upper bound of the distance of the points from the origin.
 Rational reach_of(const Polyhedron& p) {
-  Rational most = 0;
-  for (const Vector& v : p.points) most = std::max(most, dot(v, v));
-  return root_above(most);
+  double most = 0;
+  for (const Vector& v : p.points) {
+    const double x = exact::to_double(v[0]), y = exact::to_double(v[1]), z = exact::to_double(v[2]);
+    most = std::max(most, x * x + y * y + z * z);
+  }
+  // Far from under- and overflow all these roundings are less than 2^-40 of it.
+  if (most > 0x1p-900 && most < 0x1p1000) return exact::to_rational(std::sqrt(most) * (1 + 0x1p-40));
+  Rational square = 0;
+  for (const Vector& v : p.points) square = std::max(square, dot(v, v));
+  return root_above(square);
 }
 
 }  // namespace
 
-Shape::Shape(Polyhedron p)
-    : polyhedron(std::move(p)), trihedral(rounding::trihedral(polyhedron)), reach(reach_of(polyhedron)) {}
+Shape::Shape(Polyhedron p, const grid::Lattice& units)
+    : polyhedron(std::move(p)),
+      trihedral(rounding::trihedral(polyhedron)),
+      to_model(inverse(rounding::to_grid(units))),
+      reach(units.step * reach_of(polyhedron) + root_above(dot(units.origin, units.origin))) {}
 
 Result<Reconstruction> reconstruct(std::span<const Placement> placements, const ReconstructionOptions& options) {
   return Reconstructor(placements, options).run();

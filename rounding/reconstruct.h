@@ -22,11 +22,12 @@
 
 namespace quoin::rounding {
 
-/// A polyhedron with what is asked of it again and again.
+/// A polyhedron with what is asked of it again and again. Its numbers are steps of a lattice, or model units.
 struct Shape {
-  explicit Shape(Polyhedron p);
+  explicit Shape(Polyhedron p, const grid::Lattice& units = {});
   Polyhedron polyhedron;
   std::optional<Trihedral> trihedral;
+  AffineMap to_model;
   /// An upper bound of the distance of its points from the origin, model units.
   Rational reach;
 };
@@ -37,7 +38,8 @@ struct Placement {
   const Shape* shape = nullptr;
   /// Where it is <= 0; model units.
   std::optional<WidePlane> half_space = {};
-  /// Model units before the motion to grid steps after it. Its determinant is not 0.
+  /// The shape's units (of a half-space model units) before the motion to grid steps after it. Its determinant is not
+  /// 0.
   AffineMap to_grid;
 };
 

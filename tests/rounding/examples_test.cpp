@@ -334,7 +334,7 @@ TEST(RoundingExamplesTest, UnionOfManyTrianglesRoundedAsAWhole) {
     auto standing = reconstruct(placements);
     ASSERT_TRUE(standing.has_value());
     for (Reconstructed& r : standing.value().primitives) still.push_back(std::move(r.body));
-    const Shape whole(polyhedron_of(booleans::canonical(united(still)), grid::Lattice{}));
+    const Shape whole(polyhedron_of(booleans::canonical(united(still))));
 
     const Placement placement{&whole, {}, map};
     ReconstructionOptions options;

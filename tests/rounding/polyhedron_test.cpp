@@ -99,7 +99,7 @@ TEST(PolyhedronTest, OfACanonicalFormAndBack) {
   for (const Body& body : bodies())
     for (const Lattice& lattice : lattices) {
       const booleans::Canonical form = booleans::canonical(body);
-      const Polyhedron p = polyhedron_of(form, lattice);
+      const Polyhedron p = carried(polyhedron_of(form), inverse(to_grid(lattice)));
       ASSERT_EQ(p.points.size(), form.vertices.size());
       ASSERT_EQ(p.face_count(), form.face_count());
       EXPECT_EQ(p.corners, form.corners);
@@ -179,7 +179,7 @@ void expect_tiling(const Polyhedron& p) {
 
 TEST(PolyhedronTest, TrianglesTileTheFaces) {
   for (const Body& body : bodies())
-    expect_tiling(polyhedron_of(booleans::canonical(body), {Rational(1, 3), {1, 2, 3}}));
+    expect_tiling(carried(polyhedron_of(booleans::canonical(body)), inverse(to_grid({Rational(1, 3), {1, 2, 3}}))));
   expect_tiling(made(sphere(1, 8)));
   expect_tiling(made(torus(3, 1, 7, 5)));
   expect_tiling(made(frustum(9, 2, 1, 3, Fit::circumscribed)));
@@ -254,8 +254,7 @@ TEST(PolyhedronTest, TrihedralOnes) {
   expect_consistent(made(extrusion(
       {{{{0, 0}, {9, 0}, {9, 9}, {4, 3}}, {{4, 1}, {5, 1}, {5, 2}}}, {{{20, 0}, {21, 0}, {20, 5}}}}, {1, 2, 3})));
   // A cavity, two parts, a dent.
-  for (const std::size_t i : {1u, 3u, 4u, 5u, 6u})
-    expect_consistent(polyhedron_of(booleans::canonical(bodies()[i]), {}));
+  for (const std::size_t i : {1u, 3u, 4u, 5u, 6u}) expect_consistent(polyhedron_of(booleans::canonical(bodies()[i])));
 }
 
 TEST(PolyhedronTest, OnesThatAreNot) {
@@ -268,10 +267,10 @@ TEST(PolyhedronTest, OnesThatAreNot) {
   append(p, shifted(cube(), {1, 1, 0}));
   EXPECT_EQ(p.points.size(), 14u);
   EXPECT_FALSE(trihedral(p).has_value());
-  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[7]), {})).has_value());
+  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[7]))).has_value());
   // A touching edge or vertex inside a face.
-  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[9]), {})).has_value());
-  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[10]), {})).has_value());
+  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[9]))).has_value());
+  EXPECT_FALSE(trihedral(polyhedron_of(booleans::canonical(bodies()[10]))).has_value());
   // A vertex of two parts with six planes.
   p = cube();
   append(p, made(convex_hull(std::vector<Vector>{{1, 1, 1}, {5, 2, 2}, {2, 6, 2}, {3, 2, 7}})));
@@ -297,7 +296,7 @@ TEST(PolyhedronTest, CubesThatTouchInAVertex) {
   const auto t = trihedral(p);
   ASSERT_TRUE(t.has_value());
   EXPECT_EQ(t->orders.size(), 48u);
-  EXPECT_TRUE(trihedral(polyhedron_of(booleans::canonical(bodies()[8]), {})).has_value());
+  EXPECT_TRUE(trihedral(polyhedron_of(booleans::canonical(bodies()[8]))).has_value());
 }
 
 }  // namespace
