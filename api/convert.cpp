@@ -112,6 +112,8 @@ class Mover {
 /// Grid points stay grid points: the body keeps its shape.
 Fault move_body(const Map& map, Body& body) {
   Mover mover(map);
+  // Their boxes are of the old lattice.
+  body.chunks.clear();
   for (auto& p : body.grid_points.edit()) p = mover.grid_point(p);
   for (auto& p : body.points.edit()) p = mover.point(p);
   for (auto& p : body.planes.edit()) p = mover.plane(p);

@@ -121,8 +121,9 @@ bool is_identity(const booleans::Expression& e) {
   return e.nodes.size() == 1 && e.nodes[0].rule == Rule::operand && !e.nodes[0].negated;
 }
 
-Result<Solid> evaluate_here(const Expression& expression, const Options& options) {
-  Flattened f = flattened(expression);
+/// As one Boolean, but for the terms that are known.
+Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& known, const Options& options) {
+  Flattened f = flattened(expression, known);
   if (f.solids.empty())
     return Error{"no-operand", "an expression without a solid has no grid; give it at least one solid"};
   if (options.cancel && options.cancel->load()) return Error{"cancelled", "the operation was cancelled"};
@@ -144,6 +145,18 @@ Result<Solid> evaluate_here(const Expression& expression, const Options& options
   auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options));
   if (!result) return result.error();
   return Access::solid(grid, std::move(result).value());
+}
+
+Result<Solid> evaluate_here(const Expression& expression, const Options& options) {
+  const auto shared = large_shared_terms(expression);
+  if (!shared) return shared.error();
+  KnownTerms known;
+  for (const Expression* term : shared.value()) {
+    auto solid = evaluate_at_once(*term, known, {.cancel = options.cancel});
+    if (!solid) return solid.error();
+    known.emplace(Access::node(*term), std::move(solid).value());
+  }
+  return evaluate_at_once(expression, known, options);
 }
 
 /// A solid as an operand of one of the flat operations.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -287,12 +288,14 @@ class ModelEvaluator {
                  solids_.begin(), solids_.end(),
                  [](const Solid& a, const Solid& b) { return Access::lattice(a).step < Access::lattice(b).step; })
           ->grid();
+    constexpr double most = std::numeric_limits<double>::max();
     std::vector<double> points;
     for (const Placed& p : primitives_) {
       if (!p.shape) continue;
       const rounding::AffineMap map = composed(p.shape->to_model, p.motion->map);
       for (const auto& v : p.shape->polyhedron.points)
-        for (const Rational& x : map(v)) points.push_back(exact::to_double(x));
+        // Beyond the doubles any coordinate is too far: the largest says so.
+        for (const Rational& x : map(v)) points.push_back(std::clamp(exact::to_double(x), -most, most));
     }
     return fitting_grid(std::array{std::span<const double>(points)});
   }

@@ -1,8 +1,7 @@
 #include "api/flatten.h"
 
-#include <map>
-
-#include "api/access.h"
+#include <algorithm>
+#include <unordered_map>
 
 namespace quoin {
 
@@ -14,6 +13,8 @@ namespace {
 
 class Flattener {
  public:
+  explicit Flattener(const KnownTerms& known) : known_(known) {}
+
   Flattened run(const Node* root) {
     pending_.push_back({root, false, none});
     while (!pending_.empty()) {
@@ -45,10 +46,10 @@ class Flattener {
   void visit(const Item& item) {
     static const Node nothing(Node::Kind::any, {});
     const Node& node = item.node ? *item.node : nothing;
+    if (const auto known = known_.find(item.node); known != known_.end()) return add_solid(known->second, item);
     switch (node.kind) {
       case Node::Kind::solid:
-        add({Rule::operand, item.negated, number(solids_, Access::identity(node.solid), out_.solids, node.solid),
-             item.parent});
+        add_solid(node.solid, item);
         break;
       case Node::Kind::half_space:
         add({Rule::operand, item.negated, number(half_spaces_, &node, out_.half_spaces, node.half_space), item.parent},
@@ -74,6 +75,10 @@ class Flattener {
     }
   }
 
+  void add_solid(const Solid& solid, const Item& item) {
+    add({Rule::operand, item.negated, number(solids_, Access::identity(solid), out_.solids, solid), item.parent});
+  }
+
   void push(const Node& node, bool negated, std::uint32_t parent) {
     for (std::size_t i = node.terms.size(); i-- > 0;)
       pending_.push_back({Access::node(node.terms[i]), negated, parent});
@@ -87,6 +92,7 @@ class Flattener {
     return at->second;
   }
 
+  const KnownTerms& known_;
   std::vector<Item> pending_;
   std::vector<bool> is_half_space_;  // by node
   std::map<const booleans::Body*, std::uint32_t> solids_;
@@ -94,8 +100,92 @@ class Flattener {
   Flattened out_;
 };
 
+/// The terms of a graph that have terms themselves.
+class SharedTerms {
+ public:
+  Result<std::vector<const Expression*>> run(const Expression& root) {
+    walk(root);
+    for (const Expression* term : order_) measure(*term);
+    constexpr std::uint64_t most = 1 << 24;
+    if (leaves(root).count > most)
+      return Error{"too-many-terms",
+                   "shared terms with half-spaces make more than 2^24 terms when they are written out"};
+    return std::move(large_);
+  }
+
+ private:
+  struct Leaves {
+    std::uint64_t count = 0;
+    bool has_half_space = false;
+  };
+  struct Term {
+    std::uint32_t places = 1;
+    Leaves leaves = {};
+  };
+
+  /// Every term once, children first, and in how many places it stands.
+  void walk(const Expression& root) {
+    struct Visit {
+      const Expression* term;
+      std::size_t next = 0;
+    };
+    std::vector<Visit> stack;
+    const auto enter = [&](const Expression& e) {
+      const Node* node = Access::node(e);
+      if (!node || node->terms.empty()) return;
+      const auto [at, fresh] = terms_.try_emplace(node);
+      if (fresh)
+        stack.push_back({&e});
+      else
+        ++at->second.places;
+    };
+    enter(root);
+    while (!stack.empty()) {
+      Visit& visit = stack.back();
+      const auto& below = Access::node(*visit.term)->terms;
+      if (visit.next < below.size()) {
+        enter(below[visit.next++]);
+      } else {
+        order_.push_back(visit.term);
+        stack.pop_back();
+      }
+    }
+  }
+
+  Leaves leaves(const Expression& e) const {
+    const Node* node = Access::node(e);
+    if (!node) return {};
+    if (node->kind == Node::Kind::solid) return {1};
+    if (node->kind == Node::Kind::half_space) return {1, true};
+    return node->terms.empty() ? Leaves{} : terms_.at(node).leaves;
+  }
+
+  void measure(const Expression& e) {
+    const Node* node = Access::node(e);
+    Term& term = terms_.at(node);
+    for (const Expression& below : node->terms) {
+      const Leaves l = leaves(below);
+      // Far more than too many is enough to know.
+      term.leaves.count = std::min<std::uint64_t>(term.leaves.count + l.count, std::uint64_t{1} << 40);
+      term.leaves.has_half_space = term.leaves.has_half_space || l.has_half_space;
+    }
+    if (term.places == 1 || term.leaves.count <= 256 || term.leaves.has_half_space) return;
+    large_.push_back(&e);
+    term.leaves.count = 1;
+  }
+
+  std::unordered_map<const Node*, Term> terms_;
+  std::vector<const Expression*> order_, large_;
+};
+
 }  // namespace
 
-Flattened flattened(const Expression& expression) { return Flattener().run(Access::node(expression)); }
+Flattened flattened(const Expression& expression, const KnownTerms& known) {
+  return Flattener(known).run(Access::node(expression));
+}
+
+Result<std::vector<const Expression*>> large_shared_terms(const Expression& expression) {
+  return SharedTerms().run(expression);
+}
 
 }  // namespace quoin

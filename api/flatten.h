@@ -2,10 +2,11 @@
 /// Public expressions as the engine's: operands by number, complements pushed down to leaves and parities.
 #pragma once
 
+#include <map>
 #include <vector>
 
+#include "api/access.h"
 #include "booleans/expression.h"
-#include "quoin/quoin.h"
 
 namespace quoin {
 
@@ -19,6 +20,14 @@ struct Flattened {
   std::vector<HalfSpace> half_spaces;
 };
 
-Flattened flattened(const Expression& expression);
+/// Terms in `known` are the solids that they have been found to be.
+using KnownTerms = std::map<const Access::Node*, Solid>;
+Flattened flattened(const Expression& expression, const KnownTerms& known = {});
+
+/// The terms, children first, that are better evaluated by themselves: they stand in several places, and as a tree they
+/// have more than 256 leaves. The graph's tree could else be exponentially large; now each edge of the graph brings at
+/// most 256 leaves. Terms with half-spaces cannot be evaluated alone, for they may be unbounded.
+/// Errors: "too-many-terms" (more than 2^24 leaves remain).
+Result<std::vector<const Expression*>> large_shared_terms(const Expression& expression);
 
 }  // namespace quoin

@@ -13,7 +13,8 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-constexpr int deepest = 200;                // of parentheses and signs
+constexpr int deepest = 200;                // of parentheses and signs in one formula
+constexpr int deepest_in_all = 1000;        // in a formula and those of its parameters: bounds the recursion
 constexpr std::size_t longest_chain = 200;  // of parameters
 constexpr std::size_t longest = 1 << 16;    // bits of a value
 
@@ -30,7 +31,9 @@ class FormulaReader {
   FormulaReader(std::string_view text, Parameters& parameters) : text_(text), parameters_(parameters) {}
 
   Result<Rational> run() {
+    const int outside = parameters_.depth_;
     const Rational v = sum();
+    parameters_.depth_ = outside;
     skip();
     if (!error_ && at_ < text_.size())
       fail("bad-number", "is not understood from character " + std::to_string(at_ + 1) + " on");
@@ -87,7 +90,8 @@ class FormulaReader {
   }
 
   Rational factor() {
-    if (++depth_ > deepest) return fail("bad-number", "is nested too deeply");
+    ++parameters_.depth_;
+    if (++depth_ > deepest || parameters_.depth_ > deepest_in_all) return fail("bad-number", "is nested too deeply");
     Rational v = 0;
     if (take('-')) {
       v = -factor();
@@ -98,6 +102,7 @@ class FormulaReader {
       v = name_or_number();
     }
     --depth_;
+    --parameters_.depth_;
     return v;
   }
 

@@ -19,8 +19,9 @@ class Parameters {
   explicit Parameters(std::map<std::string, std::string> definitions) : definitions_(std::move(definitions)) {}
 
   /// sum = product {(+ | -) product}; product = factor {(* | /) factor}; factor = "-" factor | decimal | name | "(" sum
-  /// ")". Errors: "bad-number" (a syntax error, a division by 0, more than 2^16 bits), "bad-parameter" (an unknown
-  /// name, one that is defined by itself, or a row of more than 200).
+  /// ")". Errors: "bad-number" (a syntax error, a division by 0, more than 2^16 bits, more than 200 parentheses and
+  /// signs within each other, or 1,000 with those around the parameters on the way), "bad-parameter" (an unknown name,
+  /// one that is defined by itself, or a row of more than 200).
   Result<exact::Rational> value(std::string_view formula);
   /// Whether a formula so far has asked for the parameter.
   bool was_used(const std::string& name) const { return known_.count(name) > 0; }
@@ -32,6 +33,7 @@ class Parameters {
   std::map<std::string, std::string> definitions_;
   std::map<std::string, exact::Rational> known_;
   std::vector<std::string> open_;  // being read
+  int depth_ = 0;                  // of what is being read, in all formulas
 };
 
 /// A letter or "_", then letters, digits or "_".

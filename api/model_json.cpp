@@ -60,7 +60,9 @@ class ModelWriter {
   std::string run(const Model& model) {
     Json document = io::json_object({{version_key, io::json_number(version)}});
     const Node* root = Access::node(model).get();
-    if (root && root->kind == ModelKind::scope && root->name.empty()) {
+    // One that says nothing would be lost.
+    if (root && root->kind == ModelKind::scope && root->name.empty() &&
+        !(root->step.empty() && root->parameters.empty())) {
       add_scope(*root, document);
       root = Access::node(root->children[0]).get();
     }
@@ -309,7 +311,7 @@ class ModelReader {
 
   std::optional<Error> read_fields(const ModelRule& rule, const Json& body, Node& made) {
     for (const auto& [name, value] : body.members) {
-      const auto known = [&](const ModelField& f) { return name == f.name; };
+      const auto known = [&word = name](const ModelField& f) { return word == f.name; };
       const bool is_scope = rule.kind == ModelKind::scope && (name == "step" || name == "parameters");
       if (std::any_of(rule.fields.begin(), rule.fields.end(), known) || is_scope ||
           (rule.children == ModelChildren::one && name == "of") || (rule.kind == ModelKind::solid && name == "quoin"))

@@ -1,6 +1,7 @@
 #include "api/place.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "booleans/canonical.h"
 
@@ -70,8 +71,9 @@ Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::La
   report.face_local_planes = done.value().face_local_planes;
   report.angle_error = exact::double_above(angle);
   report.displacement = exact::double_above(displacement);
-  // As a rational it has few digits.
-  report.displacement_bound = exact::to_string(exact::to_rational(report.displacement));
+  // As the rational that a double is it has few digits.
+  if (std::isfinite(report.displacement)) displacement = exact::to_rational(report.displacement);
+  report.displacement_bound = exact::to_string(displacement);
   return result;
 }
 

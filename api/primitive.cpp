@@ -137,8 +137,14 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
     case sphere:
       return rounding::sphere(n.scalar(0), n.count(1));
     case tangent_sphere: {
-      const auto planes = rounding::tangent_sphere(n.scalar(0), n.count(1));
-      return planes ? intersection(planes.value(), run) : planes.error();
+      const Rational radius = n.scalar(0);
+      // Of radius 1 its planes have short numbers.
+      const auto planes = rounding::tangent_sphere(radius > 0 ? 1 : radius, n.count(1));
+      if (!planes) return planes.error();
+      auto unit = intersection(planes.value(), run);
+      if (!unit) return unit.error();
+      return carried(std::move(unit).value(),
+                     {{rounding::Vector{radius, 0, 0}, {0, radius, 0}, {0, 0, radius}}, {0, 0, 0}});
     }
     case torus:
       return rounding::torus(n.scalar(0), n.scalar(1), n.count(2), n.count(3));

@@ -1,7 +1,5 @@
 /// \file
 /// Laws that hold for every Boolean expression over every solid, checked on scripts.
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 
 #include "booleans/boolean.h"
@@ -10,20 +8,13 @@
 #include "booleans/export.h"
 #include "booleans/measure.h"
 #include "booleans/query.h"
+#include "fuzz/law.h"
 #include "fuzz/script.h"
 
 namespace quoin::fuzz {
 namespace {
 
 using namespace booleans;
-
-[[noreturn]] void fail(const char* law, const std::string& what = "") {
-  std::fprintf(stderr, "broken: %s %s\n", law, what.c_str());
-  std::abort();
-}
-void require(bool holds, const char* law) {
-  if (!holds) fail(law);
-}
 
 Body checked(Result<Body> result) {
   if (!result) fail("operations succeed:", result.error().message);

@@ -96,11 +96,12 @@ class Builder : public nlohmann::json_sax<Library> {
 
  private:
   bool fail(std::string message) {
-    if (!error)
-      error =
-          Error{"bad-model", std::move(message), {}, Json{.line = position_.line, .column = position_.column}.place()};
+    if (!error) error = Error{"bad-model", std::move(message), {}, here().place()};
     return false;
   }
+
+  /// Where the last character was taken; the next one of a text that is empty so far, or ended with its line.
+  Json here() const { return {.line = position_.line, .column = std::max(position_.column, 1U)}; }
 
   /// The parser looks one character beyond a number, which ends in a digit.
   bool add_number(std::string text) {

@@ -22,6 +22,28 @@ TEST(Convert, ToAFinerGridAndBack) {
   }
 }
 
+// What an operation remembers of a solid for the next one must not outlive a change of grid.
+TEST(Convert, OperationsAfterAChangeOfGrid) {
+  const Solid b = box({0, 0, 0}, {1, 1, 1}) & box({0, 0, 0}, {2, 2, 1});
+  for (const char* step : {"1/2", "1/3", "1/1024"}) {
+    const Grid fine = grid_of(step);
+    const Solid there = b.on_grid(fine).value(),
+                cut = tetrahedron({Corner{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, fine);
+    EXPECT_EQ(volume(there - cut), "5/6") << step;
+    EXPECT_EQ(volume(cut - there), "0") << step;
+  }
+  auto random = random_engine();
+  for (int round = 0; round < 20; ++round) {
+    const Solid p = random_tetrahedron(random, 6) - random_tetrahedron(random, 6);
+    const Solid q = random_tetrahedron(random, 6), r = random_tetrahedron(random, 6);
+    const Grid fine = grid_of(round % 2 == 0 ? "1/2" : "1/7");
+    const auto carried = [&](const Solid& solid) { return solid.on_grid(fine).value(); };
+    const Solid expected = (p + q) & r, result = (carried(p) + carried(q)) & carried(r);
+    EXPECT_TRUE(result == expected) << round;
+    EXPECT_TRUE((carried(p + q) & carried(r)) == expected) << round;
+  }
+}
+
 TEST(Convert, GridPointsMayBecomeDerivedPoints) {
   const Solid a = box({0, 0, 0}, {.5, .5, .5}, grid_of("1/2"));
   const auto third = a.on_grid(grid_of("1/3"));

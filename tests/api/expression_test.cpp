@@ -39,6 +39,31 @@ TEST(Expression, NestedIsOneOperation) {
   EXPECT_EQ(result.value().to_quoin(), expected.to_quoin());
 }
 
+// A graph of few terms may have a tree of 3^40 leaves.
+TEST(Expression, SharedTermsAreNotWrittenOut) {
+  const Solid a = box({0, 0, 0}, {4, 4, 4}), b = box({1, 1, 1}, {5, 5, 5});
+  Expression e = Expression(a) + b, f = e, g = e;
+  for (int i = 0; i < 40; ++i) {
+    e = e - (e - e);
+    f = Expression::symmetric_difference_of({f, f, f});
+    // Alternately the symmetric difference with b and that union again.
+    g = (g + a) ^ (g & b);
+  }
+  EXPECT_TRUE(evaluate(e).value() == a + b);
+  EXPECT_TRUE(evaluate(f).value() == a + b);
+  Solid expected = a + b;
+  for (int i = 0; i < 40; ++i) expected = (expected + a) ^ (expected & b);
+  EXPECT_TRUE(evaluate(g).value() == expected);
+  EXPECT_TRUE(evaluate(~g & g).value().is_empty());
+
+  // Half-spaces are unbounded, and have no solid of their own.
+  Expression h = half("1", "0", "0", "-2");
+  for (int i = 0; i < 5; ++i) h = h - (h - h);
+  EXPECT_EQ(volume(evaluate(Expression(a) & h).value()), "32");
+  for (int i = 0; i < 40; ++i) h = h - (h - h);
+  EXPECT_EQ(code(Expression(a) & h), "too-many-terms");
+}
+
 TEST(Expression, RandomTreesAgreeWithOperators) {
   auto random = random_engine();
   for (int round = 0; round < 10; ++round) {

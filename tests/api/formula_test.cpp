@@ -186,6 +186,25 @@ TEST(Formula, ChainsOfParameters) {
   EXPECT_TRUE(far == "20001" || far.rfind("bad-", 0) == 0) << far;
 }
 
+// Parentheses around parameters of parameters are within each other too.
+TEST(Formula, DepthOfAllFormulasTogether) {
+  const auto chain = [](int n, int parentheses) {
+    Definitions d{{"p0", "1"}};
+    for (int i = 1; i <= n; ++i)
+      d["p" + std::to_string(i)] =
+          repeated("(", parentheses) + "p" + std::to_string(i - 1) + " + 1" + repeated(")", parentheses);
+    return value("p" + std::to_string(n), d);
+  };
+  EXPECT_EQ(chain(150, 4), "151");
+  EXPECT_EQ(chain(199, 100), "bad-number");
+  // An error leaves no trace: the next formula may be as deep.
+  Parameters parameters({{"deep", repeated("(", 201) + "1" + repeated(")", 201)}});
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(parameters.value("deep"));
+    EXPECT_TRUE(parameters.value(repeated("(", 199) + "1" + repeated(")", 199)));
+  }
+}
+
 TEST(Formula, ParameterNames) {
   for (const std::string name : {"a", "_", "Z9", "long_name_2", "e5"}) {
     EXPECT_TRUE(is_parameter_name(name)) << name;

@@ -414,6 +414,20 @@ TEST(ModelFile, NotAModel) {
   expect_refused("{\"model\": {\"union\": []}}", "line 1, column 1", "\"quoin-model\": 1 is missing");
 }
 
+// A scope at the top is that of the document, unless it would be lost there.
+TEST(ModelFile, ScopesThatSayNothingStay) {
+  const std::string inner = R"({"scope": {"parameters": {"a": 1}, "of": {"block": {"size": ["a", 1, 1]}}}})";
+  for (const std::string& text :
+       {document(inner, R"("parameters": {})"), document(R"({"scope": {"of": )" + inner + "}}")}) {
+    const Model model = read_model(text);
+    const std::string written = model.to_json();
+    EXPECT_EQ(read_model(written).to_json(), written) << text;
+    EXPECT_EQ(volume(evaluated(model)), "1");
+  }
+  const Model made = Model::block({"a", "1", "1"}).with_parameters({{"a", "1"}}).named("part").with_parameters({});
+  EXPECT_EQ(read_model(made.to_json()).to_json(), made.to_json());
+}
+
 TEST(ModelFile, Versions) {
   for (const std::string version : {"2", "0", "1.0", "\"1\"", "null", "[1]"}) {
     const auto model = Model::from_json("{\n\"quoin-model\": " + version + ", \"model\": {\"union\": []}}");

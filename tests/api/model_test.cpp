@@ -224,6 +224,29 @@ TEST(Model, FormulasMakeLongNumbers) {
   EXPECT_EQ(result(part.turned({"0", "0", "0", big}).turned({"0", "0", "0", "1"})), result(part));
 }
 
+TEST(Model, TangentSpheresOfAnyRadius) {
+  const Solid unit = evaluated(Model::tangent_sphere("1", "12"), on_grid("1/1048576"));
+  for (const char* radius : {"1.2345678901", "1e-9", "1e20", "100/3333333331"}) {
+    MotionReport report;
+    const auto solid = evaluate(Model::tangent_sphere(radius, "12"), {}, &report);
+    ASSERT_TRUE(solid) << radius << ' ' << solid.error().message;
+    EXPECT_EQ(solid.value().info().faces, unit.info().faces);
+    EXPECT_EQ(report.by_planes, 1U);
+  }
+  EXPECT_EQ(evaluate(Model::tangent_sphere("0", "12")).error().code, "bad-primitive");
+  EXPECT_EQ(evaluate(Model::tangent_sphere("-1", "12")).error().code, "bad-primitive");
+}
+
+TEST(Model, NumbersBeyondTheDoubles) {
+  for (const char* size : {"1e308", "1e309", "1e399"})
+    EXPECT_EQ(evaluate(block(size, "1", "1")).error().code, "out-of-range") << size;
+  MotionReport report;
+  const Model part = block("1e340", "1e340", "1e340").rotated({"0", "0", "1"}, "30").with_step("1e336");
+  ASSERT_TRUE(evaluate(part, {}, &report));
+  EXPECT_NE(report.displacement_bound, "0");
+  EXPECT_NE(report.displacement_bound[0], '-');
+}
+
 TEST(Model, MirrorsAndScalings) {
   const Model part = examples::bracket_variants()[3];
   const Solid start = evaluated(part, on_grid("1/1024"));

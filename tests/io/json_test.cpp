@@ -177,7 +177,7 @@ TEST(Json, Refusals) {
   expect_refused("{a: 1}", "line 1, column 2", "expected string literal");
   expect_refused("[1 // one\n]", "line 1, column 4", "not JSON");
   expect_refused("['a']", "line 1, column 2", "not JSON");
-  expect_refused("[\"a\nb\"]", "line 2, column 0", "control character");
+  expect_refused("[\"a\nb\"]", "line 2, column 1", "control character");
   expect_refused("\"\\x\"", "line 1, column 3", "not JSON");
   expect_refused("nul", "line 1, column 3", "invalid literal");
 }
