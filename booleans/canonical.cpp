@@ -1,6 +1,7 @@
 #include "booleans/canonical.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -29,7 +30,8 @@ class Canonizer {
     find_needed_vertices();
     rank_vertices();
     group_half_edges();
-    for (std::size_t g = 0; g + 1 < group_start_.size(); ++g) trace(group_start_[g], group_start_[g + 1]);
+    for (std::size_t g = 0; g + 1 < group_start_.size(); ++g)
+      if (group_start_[g] < group_start_[g + 1]) trace(group_start_[g], group_start_[g + 1]);
     write_faces();
     return std::move(form_);
   }
@@ -51,18 +53,27 @@ class Canonizer {
       for (std::uint32_t j = body_.polygon_loops[p]; j < body_.polygon_loops[p + 1]; ++j)
         if (const auto loop = body_.loop(j); loop.size() == 1)
           isolated_.push_back({static_cast<std::uint32_t>(body_.triangles.size()) + p, loop[0]});
-    // By undirected edge: a counting sort over the smaller vertex, small sorts within.
-    std::vector<std::uint32_t> start(body_.vertex_count() + 1);
-    for (const HalfEdge& e : edges_) ++start[std::min(e.from, e.to) + 1];
+    // By undirected edge.
+    sort_by(
+        edges_, body_.vertex_count(), [](const HalfEdge& e) { return std::min(e.from, e.to); },
+        [](const HalfEdge& a, const HalfEdge& b) {
+          const std::uint32_t p = std::max(a.from, a.to), q = std::max(b.from, b.to);
+          return std::tie(p, a.face, a.from) < std::tie(q, b.face, b.from);
+        });
+  }
+
+  /// By a key below `bound`, then by `less`: a counting sort, and small sorts within. Returns where each key begins.
+  template <class Key, class Less>
+  static std::vector<std::uint32_t> sort_by(std::vector<HalfEdge>& edges, std::size_t bound, Key&& key, Less&& less) {
+    std::vector<std::uint32_t> start(bound + 1);
+    for (const HalfEdge& e : edges) ++start[key(e) + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<HalfEdge> sorted(edges_.size());
+    std::vector<HalfEdge> sorted(edges.size());
     std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-    for (const HalfEdge& e : edges_) sorted[at[std::min(e.from, e.to)]++] = e;
-    for (std::size_t v = 0; v + 1 < start.size(); ++v)
-      std::sort(sorted.begin() + start[v], sorted.begin() + start[v + 1], [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tuple(std::max(a.from, a.to), a.face, a.from) < std::tuple(std::max(b.from, b.to), b.face, b.from);
-      });
-    edges_.swap(sorted);
+    for (const HalfEdge& e : edges) sorted[at[key(e)]++] = e;
+    for (std::size_t i = 0; i < bound; ++i) std::sort(sorted.begin() + start[i], sorted.begin() + start[i + 1], less);
+    edges.swap(sorted);
+    return start;
   }
 
   template <class Visit>
@@ -121,19 +132,21 @@ class Canonizer {
       add(e.to, e.from);
     }
     // Vertices inside merged triangles: they stay where the boundary of another face passes.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> on_boundary;  // (group, vertex)
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> inside;
+    std::vector<std::array<std::uint32_t, 2>> inside, on_boundary;  // (group, vertex)
+    std::vector<std::uint8_t> in_some(body_.vertex_count());
     for (const HalfEdge& e : edges_) {
-      if (!needed_[e.from]) continue;
-      auto& list = e.boundary ? on_boundary : inside;
-      list.push_back({groups_.find(e.face), e.from});
-      if (e.boundary) list.push_back({groups_.find(e.face), e.to});
+      if (e.boundary || !needed_[e.from]) continue;
+      inside.push_back({groups_.find(e.face), e.from});
+      in_some[e.from] = 1;
     }
+    for (const HalfEdge& e : edges_)
+      for (const std::uint32_t v : {e.from, e.to})
+        if (e.boundary && in_some[v]) on_boundary.push_back({groups_.find(e.face), v});
     std::sort(on_boundary.begin(), on_boundary.end());
     std::sort(inside.begin(), inside.end());
     inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
-    for (const auto& x : inside)
-      if (!std::binary_search(on_boundary.begin(), on_boundary.end(), x)) isolated_.push_back({x.first, x.second});
+    std::set_difference(inside.begin(), inside.end(), on_boundary.begin(), on_boundary.end(),
+                        std::back_inserter(isolated_));
     std::erase_if(isolated_, [&](const auto& x) { return !needed_[x[1]]; });
   }
 
@@ -172,13 +185,9 @@ class Canonizer {
     }
     for (auto& x : isolated_) x[0] = groups_.find(x[0]);
     std::sort(isolated_.begin(), isolated_.end());
-    std::sort(half_edges_.begin(), half_edges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
-      return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
-    });
-    group_start_ = {0};
-    for (std::uint32_t i = 1; i <= half_edges_.size(); ++i)
-      if (i == half_edges_.size() || half_edges_[i].face != half_edges_[i - 1].face) group_start_.push_back(i);
-    if (half_edges_.empty()) group_start_.resize(1);
+    group_start_ = sort_by(
+        half_edges_, body_.face_count(), [](const HalfEdge& e) { return e.face; },
+        [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
   }
 
   /// The direction of an edge from `from` to `to` on a face's plane: sign * (n_plane x n_line).
@@ -277,32 +286,44 @@ class Canonizer {
     const std::uint32_t group = half_edges_[begin].face;
     const exact::Plane plane = body_.plane(group);
     find_successors(begin, end, plane);
-    Face face;
-    face.plane = plane;
-    std::vector<std::uint32_t> loop;
+    const auto first = static_cast<std::uint32_t>(loops_.count());
     for (std::size_t h = begin; h < end; ++h) {
       if (next_[h - begin] == none) continue;
-      loop.clear();
       for (std::size_t g = h; next_[g - begin] != none;) {
-        if (rank_[half_edges_[g].from] != none) loop.push_back(rank_[half_edges_[g].from]);
+        if (rank_[half_edges_[g].from] != none) loops_.corners.push_back(rank_[half_edges_[g].from]);
         g = std::exchange(next_[g - begin], none);
       }
-      rotate_to_least(loop);
-      face.loops.push_back(loop);
+      loops_.end_loop();
+      rotate_to_least(loops_.last());
     }
     auto at = std::lower_bound(isolated_.begin(), isolated_.end(), std::array<std::uint32_t, 2>{group, 0});
-    for (; at != isolated_.end() && (*at)[0] == group; ++at) face.loops.push_back({rank_[(*at)[1]]});
-    // The smallest vertex of a face is on its outer loop, and on no other.
-    std::sort(face.loops.begin(), face.loops.end(), [](const auto& a, const auto& b) {
+    for (; at != isolated_.end() && (*at)[0] == group; ++at) {
+      loops_.corners.push_back(rank_[(*at)[1]]);
+      loops_.end_loop();
+    }
+    const auto last = static_cast<std::uint32_t>(loops_.count());
+    if (last - first > 1) sort_loops(first, last);
+    faces_.push_back({plane, first, last});
+  }
+
+  /// The one with the smallest vertex of the face, which is on its outer loop and on no other; then by corners.
+  void sort_loops(std::uint32_t first, std::uint32_t last) {
+    std::vector<std::vector<std::uint32_t>> loops;
+    for (std::uint32_t j = first; j < last; ++j) loops.emplace_back(loops_[j].begin(), loops_[j].end());
+    std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
       const auto x = *std::min_element(a.begin(), a.end()), y = *std::min_element(b.begin(), b.end());
       return x != y ? x < y : a < b;
     });
-    std::sort(face.loops.begin() + 1, face.loops.end());
-    faces_.push_back(std::move(face));
+    std::sort(loops.begin() + 1, loops.end());
+    loops_.cut(first);
+    for (const auto& loop : loops) {
+      loops_.corners.insert(loops_.corners.end(), loop.begin(), loop.end());
+      loops_.end_loop();
+    }
   }
 
   /// Rotates a loop so that it starts with its smallest half-edge, which is unique.
-  static void rotate_to_least(std::vector<std::uint32_t>& loop) {
+  static void rotate_to_least(std::span<std::uint32_t> loop) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < loop.size(); ++i) {
       const auto key = [&](std::size_t k) { return std::pair(loop[k], loop[(k + 1) % loop.size()]); };
@@ -312,13 +333,18 @@ class Canonizer {
   }
 
   void write_faces() {
-    std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+    std::sort(faces_.begin(), faces_.end(), [&](const Face& a, const Face& b) {
       if (const int c = exact::compare(a.plane, b.plane)) return c < 0;
-      return a.loops < b.loops;
+      return loops_less(a, b);
     });
+    form_.planes.reserve(faces_.size());
+    form_.face_loops.reserve(faces_.size() + 1);
+    form_.loop_corners.reserve(loops_.count() + 1);
+    form_.corners.reserve(loops_.corners.size());
     for (const Face& f : faces_) {
       form_.planes.push_back(f.plane);
-      for (const auto& loop : f.loops) {
+      for (std::uint32_t j = f.first; j < f.last; ++j) {
+        const auto loop = loops_[j];
         form_.corners.insert(form_.corners.end(), loop.begin(), loop.end());
         form_.loop_corners.push_back(static_cast<std::uint32_t>(form_.corners.size()));
       }
@@ -326,10 +352,33 @@ class Canonizer {
     }
   }
 
+  /// Loops that follow each other in one list.
+  struct Loops {
+    std::vector<std::uint32_t> corners, start = {0};
+
+    std::size_t count() const { return start.size() - 1; }
+    std::span<std::uint32_t> operator[](std::size_t j) {
+      return std::span(corners).subspan(start[j], start[j + 1] - start[j]);
+    }
+    std::span<std::uint32_t> last() { return (*this)[count() - 1]; }
+    void end_loop() { start.push_back(static_cast<std::uint32_t>(corners.size())); }
+    /// Only the first `n` stay.
+    void cut(std::size_t n) {
+      start.resize(n + 1);
+      corners.resize(start[n]);
+    }
+  };
+
   struct Face {
     exact::Plane plane;
-    std::vector<std::vector<std::uint32_t>> loops;
+    std::uint32_t first, last;  // loops
   };
+
+  /// Of faces on one plane: no two have a loop in common.
+  bool loops_less(const Face& a, const Face& b) {
+    const auto p = loops_[a.first], q = loops_[b.first];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  }
 
   const Body& body_;
   Partition groups_;
@@ -341,6 +390,7 @@ class Canonizer {
   std::vector<std::uint32_t> group_start_;
   std::vector<std::uint32_t> next_, incoming_;
   std::vector<Face> faces_;
+  Loops loops_;
   Canonical form_;
 };
 
