@@ -218,9 +218,9 @@ Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_spa
   const Expression below = half_space;
   std::array<Solid, 2> parts;
   for (std::size_t i = 0; i < 2; ++i) {
-    Options run = options;
-    if (options.progress) run.progress = [&, i](double done) { options.progress((static_cast<double>(i) + done) / 2); };
-    auto part = evaluate(i == 0 ? Expression(solid) - below : Expression(solid) & below, run);
+    const double from = static_cast<double>(i) / 2;
+    auto part =
+        evaluate(i == 0 ? Expression(solid) - below : Expression(solid) & below, step_of(options, from, from + 0.5));
     if (!part) return part.error();
     parts[i] = std::move(part).value();
   }

@@ -83,7 +83,8 @@ class ModelEvaluator {
       if (!is_known(name)) return Error{"bad-parameter", "the model has no parameter \"" + name + "\""};
     const auto grid = chosen_grid();
     if (!grid) return grid.error();
-    auto placed = place(primitives_, Access::lattice(grid.value()), options_.rounding, options_.run);
+    auto placed =
+        place(primitives_, Access::lattice(grid.value()), options_.rounding, step_of(options_.run, 0, placing));
     if (!placed) return named(placed.error());
     if (report_) *report_ = placed.value().report;
     return combined(root.value(), grid.value(), placed.value().primitives);
@@ -318,7 +319,7 @@ class ModelEvaluator {
       expressions.push_back(std::move(e).value());
     }
     // The empty solid carries the grid.
-    return evaluate(Expression::union_of({Solid::empty(grid), expressions[root]}), options_.run);
+    return evaluate(Expression::union_of({Solid::empty(grid), expressions[root]}), step_of(options_.run, placing, 1));
   }
 
   Result<Expression> expression(const Term& term, const Grid& grid, std::vector<rounding::Reconstructed>& primitives,
@@ -350,6 +351,8 @@ class ModelEvaluator {
         return Expression::union_of(std::move(terms));
     }
   }
+
+  static constexpr double placing = 0.5;  // of the time, about
 
   const ModelOptions& options_;
   MotionReport* report_;

@@ -4,6 +4,7 @@
 #include "api/access.h"
 #include "api/evaluate.h"
 #include "api/import.h"
+#include "api/run.h"
 #include "io/formats.h"
 #include "io/mesh.h"
 #include "io/quoin.h"
@@ -139,10 +140,8 @@ Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOption
   std::vector<Solid> solids;
   solids.reserve(sources.size());
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (options.run.progress)
-      each.run.progress = [&, i](double done) {
-        options.run.progress((static_cast<double>(i) + done) / static_cast<double>(sources.size()));
-      };
+    const auto count = static_cast<double>(sources.size());
+    each.run = step_of(options.run, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     ImportReport report;
     auto solid = built(sources[i], each, report);
     if (!solid) return in_file(solid.error(), sources[i].name);

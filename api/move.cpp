@@ -17,7 +17,10 @@ Result<Solid> moved(const Solid& solid, const Motion& motion, const MoveOptions&
     return ~complement.value();
   }
   const auto shape = shape_of(solid);
-  auto placed = place({{shape.get(), {}, &realized}}, Access::lattice(solid), options.rounding, options.run);
+  constexpr double half = 0.5;  // of the time, for a mesh
+  if (options.run.progress) options.run.progress(half);
+  auto placed =
+      place({{shape.get(), {}, &realized}}, Access::lattice(solid), options.rounding, step_of(options.run, half, 1));
   if (!placed) return placed.error();
   if (report) *report = placed.value().report;
   return Access::solid(solid.grid(), std::move(placed.value().primitives[0].body));

@@ -14,6 +14,7 @@ namespace {
 
 rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run) {
   rounding::ReconstructionOptions options;
+  options.progress = run.progress;
   options.cancel = run.cancel;
   options.by_vertices = rounding == Rounding::vertices;
   switch (rounding) {

@@ -15,6 +15,13 @@ namespace quoin {
 
 inline booleans::Run run_of(const Options& options) { return {options.progress, options.cancel, options.stage}; }
 
+/// Of a run in several steps the one from `from` to `to`, as fractions of the whole.
+inline Options step_of(const Options& run, double from, double to) {
+  Options step = run;
+  if (run.progress) step.progress = [&run, from, to](double done) { run.progress(from + done * (to - from)); };
+  return step;
+}
+
 /// Runs `work` in the calling thread with so many workers, 0 for all, and returns its value.
 /// TBB says on stderr when it is asked for more than it has.
 template <class Work>

@@ -96,12 +96,16 @@ class Reconstructor {
       if (is_by_planes(i)) gather(i);
       out_.primitives[i].by_planes = is_by_planes(i);
     }
-    for (PlaneClass& c : classes_)
+    for (PlaneClass& c : classes_) {
       if (!round(c)) return unrepresentable(c);
+      if (is_cancelled()) return cancelled();
+      step();
+    }
     for (std::uint32_t i = 0; i < placements_.size(); ++i) {
-      if (options_.cancel && options_.cancel->load()) return Error{"cancelled", "the motion was cancelled"};
-      if (!is_by_planes(i))
-        if (const auto done = by_vertices(i); !done) return done.error();
+      if (is_cancelled()) return cancelled();
+      if (is_by_planes(i)) continue;
+      if (const auto done = by_vertices(i); !done) return done.error();
+      step();
     }
     if (const auto done = by_planes(); !done) return done.error();
     count_planes();
@@ -109,6 +113,16 @@ class Reconstructor {
   }
 
  private:
+  bool is_cancelled() const { return options_.cancel && options_.cancel->load(); }
+  static Error cancelled() { return {"cancelled", "the motion was cancelled"}; }
+
+  /// One plane or primitive is done; what is done again counts once more, up to the whole.
+  void step() {
+    const std::size_t all = classes_.size() + placements_.size();
+    done_ = std::min(done_ + 1, all);
+    if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(all));
+  }
+
   bool is_by_planes(std::uint32_t i) const {
     const Placement& p = placements_[i];
     return !p.shape || (p.shape->trihedral && !options_.by_vertices);
@@ -191,11 +205,14 @@ class Reconstructor {
       again = false;
       for (std::uint32_t i = 0; i < placements_.size(); ++i) {
         if (!pending[i]) continue;
-        if (options_.cancel && options_.cancel->load()) return Error{"cancelled", "the motion was cancelled"};
+        if (is_cancelled()) return cancelled();
         pending[i] = false;
         std::optional<Violation> violation;
         if (const auto built = build(i, violation); !built) return built.error();
-        if (!violation) continue;
+        if (!violation) {
+          step();
+          continue;
+        }
         if (!strengthen(i, *violation, pending)) return inconsistent(i, *violation);
         again = true;
       }
@@ -458,6 +475,7 @@ class Reconstructor {
   std::vector<PlaneClass> classes_;
   std::vector<std::vector<std::pair<std::uint32_t, bool>>> face_class_;  // by primitive and face: class, turned round
   std::vector<std::vector<Vector>> moved_;
+  std::size_t done_ = 0;  // planes rounded and primitives made
   Reconstruction out_;
 };
 

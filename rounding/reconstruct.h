@@ -16,6 +16,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 
 #include "quoin/result.h"
 #include "rounding/polyhedron.h"
@@ -68,6 +69,8 @@ struct ReconstructionOptions {
   Method method = Method::best;
   /// Round all primitives vertex by vertex.
   bool by_vertices = false;
+  /// Called with the fraction that is done.
+  std::function<void(double)> progress = {};
   const std::atomic<bool>* cancel = nullptr;
 };
 

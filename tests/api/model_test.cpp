@@ -255,6 +255,32 @@ TEST(Model, MirrorsAndScalings) {
   EXPECT_EQ(volume(evaluated(examples::bracket_variants()[0].scaled({"2", "1", "1/3"}), on_grid("1/1024"))), "40");
 }
 
+TEST(Model, ProgressRunsFromNothingToAll) {
+  std::vector<double> seen;
+  Options run;
+  run.progress = [&](double done) { seen.push_back(done); };
+  const auto check = [&](std::size_t least) {
+    EXPECT_GE(seen.size(), least);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    if (!seen.empty()) {
+      EXPECT_GE(seen.front(), 0);
+      EXPECT_EQ(seen.back(), 1);
+    }
+    seen.clear();
+  };
+  const Model part = (block("3", "2", "1") - Model::cylinder("1/2", "1", "12")).rotated({"1", "2", "3"}, "10");
+  const auto solid = evaluate(part, {.run = run});
+  ASSERT_TRUE(solid);
+  check(18);  // faces and primitives
+  const Motion turn = Motion::rotation({"0", "0", "1"}, "1").value();
+  for (const Solid& s : {solid.value(), ~solid.value()}) {
+    ASSERT_TRUE(move(s, turn, {.run = run}));
+    check(4);
+    ASSERT_TRUE(move(s, turn, {.rounding = Rounding::vertices, .run = run}));
+    check(2);
+  }
+}
+
 // Moving a solid that has no history.
 
 TEST(Move, FlatFacesStayFlat) {
