@@ -9,14 +9,17 @@ Model block(const std::string& a, const std::string& b, const std::string& c) { 
 
 std::string text(int v) { return std::to_string(v); }
 
+/// Along x, of the large gear and the small one.
+constexpr const char* gear_places[] = {"-24", "25/2"};
+
 /// A disc with trapezoid teeth about the z-axis.
 Model gear(int teeth, int radius, const std::string& height) {
   std::vector<Model> parts{Model::cylinder(text(radius), height, "48")};
   // A tooth along x, from inside the disc to its tip.
-  const Model tooth = Model::extrusion({{{{text(radius - 1), "-1.1"},
-                                          {text(radius) + "+2", "-0.5"},
-                                          {text(radius) + "+2", "0.5"},
-                                          {text(radius - 1), "1.1"}}}},
+  const Model tooth = Model::extrusion({{{{text(radius - 1), "-0.85"},
+                                          {text(radius) + "+2", "-0.35"},
+                                          {text(radius) + "+2", "0.35"},
+                                          {text(radius - 1), "0.85"}}}},
                                        {"0", "0", height});
   for (int i = 0; i < teeth; ++i) parts.push_back(tooth.rotated({"0", "0", "1"}, "360*" + text(i) + "/" + text(teeth)));
   return Model::union_of(std::move(parts)) - Model::cylinder("bore", height, "24");
@@ -46,9 +49,9 @@ Model housing() {
   for (const char* x : {"-70", "60"})
     for (const char* y : {"-38", "28"}) solid.push_back(block("10", "10", "3").translated({x, y, "-3"}));
   // Bearing bosses, inside the floor.
-  for (const char* x : {"-24", "20"}) solid.push_back(Model::cylinder("9", "10", "32").translated({x, "0", "0"}));
+  for (const char* x : gear_places) solid.push_back(Model::cylinder("9", "10", "32").translated({x, "0", "0"}));
   std::vector<Model> cuts;
-  for (const char* x : {"-24", "20"}) cuts.push_back(Model::cylinder("bore", "20", "24").translated({x, "0", "-1"}));
+  for (const char* x : gear_places) cuts.push_back(Model::cylinder("bore+1/4", "20", "24").translated({x, "0", "-1"}));
   for (const auto& [x, y] : screws()) {
     cuts.push_back(Model::cylinder("19/10", "8", "16").translated({x, y, "-1"}));
     // Its corners lie beside those of the hole: what meets by chance does not meet after a motion.
@@ -64,18 +67,20 @@ Model housing() {
 }  // namespace
 
 Model gear_box() {
-  const Model large = gear(60, 28, "12").named("wheel").translated({"-24", "0", "11"});
-  const Model small = gear(30, 13, "12").named("pinion").rotated({"0", "0", "1"}, "6").translated({"20", "0", "11"});
-  std::vector<Model> parts{housing().named("housing"), large, small};
-  // Shafts with flats.
-  for (const char* x : {"-24", "20"})
-    parts.push_back(Model::intersection_of(
-                        {Model::cylinder("bore", "50", "24"), block("20", "20", "50").translated({"-10", "-2", "0"})})
-                        .translated({x, "0", "-5"})
-                        .named("shaft"));
-  return Model::union_of(std::move(parts))
+  // Shafts with flats turn with their gears, and touch nothing else.
+  const Model shaft = Model::intersection_of(
+                          {Model::cylinder("bore", "50", "24"), block("20", "20", "50").translated({"-10", "-2", "0"})})
+                          .translated({"0", "0", "-5"})
+                          .named("shaft");
+  const auto turned = [&](const Model& gear, const std::string& angle, const char* x) {
+    return (gear.translated({"0", "0", "11"}) + shaft).rotated({"0", "0", "1"}, angle).translated({x, "0", "0"});
+  };
+  const std::vector<Model> parts{housing().named("housing"),
+                                 turned(gear(60, 23, "12").named("wheel"), "turn", gear_places[0]),
+                                 turned(gear(30, 11, "12").named("pinion"), "6-2*turn", gear_places[1])};
+  return Model::union_of(parts)
       .named("gear box")
-      .with_parameters({{"wall", "4"}, {"bore", "5/2"}})
+      .with_parameters({{"wall", "4"}, {"bore", "5/2"}, {"turn", "0"}})
       .with_step("1/65536");
 }
 

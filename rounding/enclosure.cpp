@@ -46,9 +46,17 @@ Fixed inverse_arctangent(unsigned long n, unsigned bits) {
   });
 }
 
-Fixed fixed_pi(unsigned bits) {
+Fixed machin_pi(unsigned bits) {
   const Fixed a = inverse_arctangent(5, bits), b = inverse_arctangent(239, bits);
   return {a.low * 16 - b.high * 4, a.high * 16 - b.low * 4};
+}
+
+/// Summed once for all angles but those of very long numbers.
+Fixed fixed_pi(unsigned bits) {
+  constexpr unsigned known_bits = 512;
+  static const Fixed known = machin_pi(known_bits);
+  if (bits > known_bits) return machin_pi(bits);
+  return {known.low >> (known_bits - bits), (known.high >> (known_bits - bits)) + 1};
 }
 
 /// sum of (-1)^i first x^(2 i) / ((start + 1) .. (start + 2 i)): sine for (x, 1), cosine for (1, 0). 0 <= x < 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -80,31 +81,53 @@ const Integer circle_precision = Integer(1) << 20;
 
 }  // namespace
 
-PlanePoint circle_point(const Rational& degrees, const Integer& precision) {
+namespace {
+
+/// The point at an angle from 0 to 45 degrees.
+PlanePoint octant_point(const Rational& degrees, const Integer& precision) {
+  if (degrees == 0) return {1, 0};
+  Rational error;
+  const Rational t =
+      best_approximation([&](unsigned bits) { return enclosed_tangent(degrees / 2, bits); }, precision, error);
+  return {(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
+}
+
+/// The point at any angle, mirrored from that of an angle from 0 to 45 degrees.
+template <class Octant>
+PlanePoint mirrored(const Rational& degrees, Octant&& octant) {
   const Rational a = degrees - 360 * Rational(floor_of((degrees + 180) / 360));  // -180 <= a < 180
   if (a < 0 && a > -180) {
-    const PlanePoint p = circle_point(-a, precision);
+    const PlanePoint p = mirrored(-a, octant);
     return {p[0], -p[1]};
   }
   const Rational b = magnitude(a);
   if (b > 90) {
-    const PlanePoint p = circle_point(180 - b, precision);
+    const PlanePoint p = mirrored(180 - b, octant);
     return {-p[0], p[1]};
   }
   if (b > 45) {
-    const PlanePoint p = circle_point(90 - b, precision);
+    const PlanePoint p = mirrored(90 - b, octant);
     return {p[1], p[0]};
   }
-  if (b == 0) return {1, 0};
-  Rational error;
-  const Rational t = best_approximation([&](unsigned bits) { return enclosed_tangent(b / 2, bits); }, precision, error);
-  return {(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
+  return octant(b);
+}
+
+}  // namespace
+
+PlanePoint circle_point(const Rational& degrees, const Integer& precision) {
+  return mirrored(degrees, [&](const Rational& b) { return octant_point(b, precision); });
 }
 
 std::vector<PlanePoint> circle_polygon(std::uint32_t sides, const Rational& radius, Fit fit) {
   assert(sides >= 3 && radius > 0);
+  std::map<Rational, PlanePoint> known;
+  const auto octant = [&](const Rational& b) {
+    const auto [at, fresh] = known.try_emplace(b);
+    if (fresh) at->second = octant_point(b, circle_precision);
+    return at->second;
+  };
   std::vector<PlanePoint> p;
-  for (Index i = 0; i < sides; ++i) p.push_back(circle_point(Rational(360) * i / sides, circle_precision));
+  for (Index i = 0; i < sides; ++i) p.push_back(mirrored(Rational(360) * i / sides, octant));
   Rational scale = radius;
   if (fit == Fit::equal_area) {
     const Rational area = doubled_area(p) / 2;

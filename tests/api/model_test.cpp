@@ -1,6 +1,9 @@
 // Models and motions: construction histories, evaluated as one arrangement on the grid.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <tuple>
+
 #include "examples/gear_box.h"
 #include "tests/api/solids.h"
 
@@ -144,6 +147,22 @@ TEST(Model, GearBoxAfterAFullTurnIsTheSameSolid) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.genus, b.genus);
   EXPECT_EQ(a.shells, b.shells);
+}
+
+TEST(Model, GearsTurnInTheirBox) {
+  const Solid start = evaluated(examples::gear_box());
+  EXPECT_EQ(start.info().shells, 3U);
+  ModelOptions options;
+  for (const char* turn : {"7.3", "-100/3", "180"}) {
+    options.parameters["turn"] = turn;
+    const Info a = evaluated(examples::gear_box(), options).info(), b = start.info();
+    EXPECT_EQ(std::tie(a.faces, a.edges, a.vertices, a.genus, a.shells),
+              std::tie(b.faces, b.edges, b.vertices, b.genus, b.shells))
+        << turn;
+    EXPECT_EQ(std::round(1e9 * a.volume_approx), std::round(1e9 * b.volume_approx));
+  }
+  options.parameters["turn"] = "360";
+  EXPECT_EQ(evaluated(examples::gear_box(), options).to_quoin(), start.to_quoin());
 }
 
 TEST(Model, HalfSpacesAndHulls) {
