@@ -33,12 +33,16 @@ bool ContinuedFraction::next() {
 }
 
 Rational best_approximation(const Rational& w, const Integer& Q) {
-  assert(Q >= 1);
-  if (w < 0) return -best_approximation(-w, Q);
-  ContinuedFraction c(w);
+  return best_approximation(numerator(w), denominator(w), Q);
+}
+
+Rational best_approximation(const Integer& n, const Integer& d, const Integer& Q) {
+  assert(Q >= 1 && d > 0);
+  if (n < 0) return -best_approximation(-n, d, Q);
+  ContinuedFraction c(n, d);
   while (c.next() && c.q() <= Q) {
   }
-  if (c.q() <= Q) return w;
+  if (c.q() <= Q) return Rational(c.p(), c.q());
   // The last step went too far: its predecessor is the convergent, and the one before that is needed too.
   const Integer older_p = c.p() - c.quotient() * c.previous_p(), older_q = c.q() - c.quotient() * c.previous_q();
   const Integer k = (Q - older_q) / c.previous_q();
@@ -46,7 +50,10 @@ Rational best_approximation(const Rational& w, const Integer& Q) {
   // With k = 0 it is the convergent before, which is farther away; but where that is 1 / 0.
   if (k == 0) return convergent;
   const Rational quasi(k * c.previous_p() + older_p, k * c.previous_q() + older_q);
-  return abs(Rational(w - quasi)) < abs(Rational(w - convergent)) ? quasi : convergent;
+  // |n / d - v| times d and v's denominator.
+  const auto distance = [&](const Rational& v) -> Integer { return abs(n * denominator(v) - d * numerator(v)); };
+  const bool is_closer = distance(quasi) * denominator(convergent) < distance(convergent) * denominator(quasi);
+  return is_closer ? quasi : convergent;
 }
 
 Rational naive_approximation(const Rational& w, const Integer& Q) {

@@ -5,6 +5,8 @@
 /// convergents only; the true bounds are stated at `best_approximation`.
 #pragma once
 
+#include <utility>
+
 #include "exact/rational.h"
 
 namespace quoin::rounding {
@@ -28,7 +30,9 @@ Integer floor_of(const Rational& v);
 ///   for (ContinuedFraction c(w); c.next();) use(c.quotient(), c.p(), c.q());
 class ContinuedFraction {
  public:
-  explicit ContinuedFraction(const Rational& w) : above_(numerator(w)), below_(denominator(w)) {}
+  explicit ContinuedFraction(const Rational& w) : ContinuedFraction(numerator(w), denominator(w)) {}
+  /// Of above / below, which need not be in lowest terms. Precondition: below > 0.
+  ContinuedFraction(Integer above, Integer below) : above_(std::move(above)), below_(std::move(below)) {}
   /// Takes the next quotient; false when the expansion has ended.
   bool next();
   /// Of the last `next()` that was true.
@@ -49,6 +53,9 @@ class ContinuedFraction {
 /// (k p_n + p_{n-1}) / (k q_n + q_{n-1}) with the largest such k.
 /// Bounds: |w - result| <= 1 / (q_n (Q + 1)) and |w - result| <= 1 / (2 Q). Precondition: Q >= 1.
 Rational best_approximation(const Rational& w, const Integer& Q);
+/// The same of w = n / d, which need not be in lowest terms: of very long numbers that costs more than all else.
+/// Precondition: d > 0.
+Rational best_approximation(const Integer& n, const Integer& d, const Integer& Q);
 
 /// p / Q with the nearest p: at most 1 / (2 Q) away. Precondition: Q >= 1.
 Rational naive_approximation(const Rational& w, const Integer& Q);

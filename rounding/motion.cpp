@@ -87,6 +87,28 @@ std::array<Integer, 3> IntegerMap::operator()(const Vector& p, unsigned bits) co
   return r;
 }
 
+// y = (A x + s) / D, so that x = C (D y - s) / t for the cofactors C of A, transposed and in lowest terms, and C A = t.
+IntegerMap inverse(const IntegerMap& map) {
+  const auto& a = map.linear;
+  std::array<Integer, 9> cofactors;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto &p = a[(j + 1) % 3], &q = a[(j + 2) % 3];
+      cofactors[3 * i + j] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+    }
+  const auto c = primitive(std::move(cofactors));
+  Integer t = c[0] * a[0][0] + c[1] * a[1][0] + c[2] * a[2][0];
+  assert(t != 0);
+  const int sign = t.sign();
+  IntegerMap r{AffineMap{}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) r.linear[i][j] = sign * c[3 * i + j] * map.divisor;
+    r.shift[i] = -sign * (c[3 * i] * map.shift[0] + c[3 * i + 1] * map.shift[1] + c[3 * i + 2] * map.shift[2]);
+  }
+  r.divisor = sign * t;
+  return r;
+}
+
 MapFilter::MapFilter(const AffineMap& map) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& row = map.linear[i];

@@ -54,6 +54,9 @@ struct IntegerMap {
   std::array<Integer, 3> operator()(const Vector& p, unsigned bits) const;
 };
 
+/// Precondition: the determinant is not 0.
+IntegerMap inverse(const IntegerMap& map);
+
 /// An affine map in doubles, with certified errors: the filter before IntegerMap.
 class MapFilter {
  public:

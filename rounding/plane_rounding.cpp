@@ -156,7 +156,7 @@ PlaneRounder::Normal PlaneRounder::shortened(const Normal& n) const {
   if (bit_length(top) <= 2 * bits) return n;
   Normal r;
   for (std::size_t i = 0; i < 3; ++i)
-    r[i] = nearest_integer(Rational(n[i] << static_cast<unsigned long>(bits), abs(top)));
+    r[i] = nearest_integer(Integer(n[i] << static_cast<unsigned long>(bits)), Integer(abs(top)));
   return r;
 }
 
@@ -186,11 +186,11 @@ std::optional<exact::Plane> PlaneRounder::continued_fraction(const WidePlane& pl
 
 std::optional<exact::Plane> PlaneRounder::with_direction(const WidePlane& plane, const Normal& direction) const {
   // The point of the plane nearest to the origin, -d n / n.n, stays on it.
-  const Rational offset(plane.d * dot(direction, plane.n), dot(plane.n, plane.n));
+  const Integer above = plane.d * dot(direction, plane.n), below = dot(plane.n, plane.n);
   Integer most = coefficient_ / abs(direction[largest_component(direction)]);
-  if (offset != 0) most = std::min(most, floor_of(offset_ / magnitude(offset)));
+  if (above != 0) most = std::min<Integer>(most, offset_ * below / abs(above));
   if (most < 1) return std::nullopt;
-  const Rational e = best_approximation(offset, most);
+  const Rational e = best_approximation(above, below, most);
   const Integer q = denominator(e);
   return checked({direction[0] * q, direction[1] * q, direction[2] * q}, numerator(e));
 }

@@ -131,7 +131,7 @@ class Reconstructor {
   /// The classes of a primitive's planes.
   void gather(std::uint32_t i) {
     const Placement& placement = placements_[i];
-    const IntegerMap back(inverse(placement.to_grid));
+    const IntegerMap back = inverse(IntegerMap(placement.to_grid));
     const auto add = [&](const WidePlane& before, std::uint32_t face) {
       WidePlane plane = moved(before, back);
       const bool turned = !is_canonical(plane);
@@ -329,7 +329,7 @@ class Reconstructor {
   std::optional<booleans::Body> exactly(std::uint32_t i) {
     const Placement& placement = placements_[i];
     const Polyhedron& shape = placement.shape->polyhedron;
-    const IntegerMap back(inverse(placement.to_grid));
+    const IntegerMap back = inverse(IntegerMap(placement.to_grid));
     booleans::Canonical form;
     for (const WidePlane& before : shape.planes) {
       const WidePlane plane = moved(before, back);

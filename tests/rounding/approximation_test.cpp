@@ -238,6 +238,9 @@ TEST(ApproximationTest, BestEqualsTheSearch) {
     check(w, 40);
     const int Q = static_cast<int>(between(random, 1, 300));
     ASSERT_EQ(best_approximation(w, Q), searched(w, Q)) << w << ' ' << Q;
+    // Not in lowest terms.
+    const Integer k = 1 + below(random, 1000);
+    ASSERT_EQ(best_approximation(numerator(w) * k, denominator(w) * k, Q), searched(w, Q)) << w << ' ' << Q;
   }
 }
 

@@ -574,6 +574,23 @@ TEST(MotionTest, DisplacementCertificate) {
   EXPECT_GT(tightest, Rational(1, 16));
 }
 
+TEST(MotionTest, InversesInIntegers) {
+  std::mt19937_64 random = generator(381);
+  for (int i = 0; i < 200; ++i) {
+    AffineMap map{{random_vector(random, 30), random_vector(random, 30), random_vector(random, 30)},
+                  random_vector(random, 30)};
+    if (below(random, 2) == 0) map.linear = matrix(random_quaternion(random, 60));
+    if (determinant(map.linear) == 0) continue;
+    const IntegerMap back = inverse(IntegerMap(map));
+    ASSERT_GT(back.divisor, 0);
+    const AffineMap expected = inverse(map);
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(Rational(back.linear[r][c], back.divisor), expected.linear[r][c]);
+      ASSERT_EQ(Rational(back.shift[r], back.divisor), expected.shift[r]);
+    }
+  }
+}
+
 TEST(MotionTest, FilteredImagesAreWithinTheirErrors) {
   std::mt19937_64 random = generator(380);
   int exact_ones = 0, narrow = 0;
