@@ -112,6 +112,7 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
 
 Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
   using enum ModelKind;
+  // Fields are read in their order, so that of two errors the first is told: compilers need not keep that of arguments.
   const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) {
     const Rational h = n.scalar(height);
     const std::uint32_t sides = n.count(height + 1);
@@ -120,11 +121,14 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
   switch (node.kind) {
     case block:
       return rounding::block(n.vector<3>(0));
-    case wedge:
-      return rounding::wedge(n.vector<3>(0), n.scalar(1));
+    case wedge: {
+      const auto size = n.vector<3>(0);
+      return rounding::wedge(size, n.scalar(1));
+    }
     case prism: {
+      const std::uint32_t sides = n.count(0);
       const Rational radius = n.scalar(1);
-      return rounding::frustum(n.count(0), radius, radius, n.scalar(2), rounding::Fit::inscribed);
+      return rounding::frustum(sides, radius, radius, n.scalar(2), rounding::Fit::inscribed);
     }
     case ModelKind::cylinder: {
       const Rational radius = n.scalar(0);
@@ -132,10 +136,14 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
     }
     case cone:
       return cylinder_of(n.scalar(0), 0, 1);
-    case frustum:
-      return cylinder_of(n.scalar(0), n.scalar(1), 2);
-    case sphere:
-      return rounding::sphere(n.scalar(0), n.count(1));
+    case frustum: {
+      const Rational bottom = n.scalar(0);
+      return cylinder_of(bottom, n.scalar(1), 2);
+    }
+    case sphere: {
+      const Rational radius = n.scalar(0);
+      return rounding::sphere(radius, n.count(1));
+    }
     case tangent_sphere: {
       const Rational radius = n.scalar(0);
       // Of radius 1 its planes have short numbers.
@@ -146,8 +154,11 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
       return carried(std::move(unit).value(),
                      {{rounding::Vector{radius, 0, 0}, {0, radius, 0}, {0, 0, radius}}, {0, 0, 0}});
     }
-    case torus:
-      return rounding::torus(n.scalar(0), n.scalar(1), n.count(2), n.count(3));
+    case torus: {
+      const Rational major = n.scalar(0), minor = n.scalar(1);
+      const std::uint32_t sides = n.count(2);
+      return rounding::torus(major, minor, sides, n.count(3));
+    }
     case convex: {
       std::vector<WidePlane> planes;
       for (const auto& p : n.list<4>(0)) {
@@ -159,15 +170,19 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
     }
     case hull:
       return rounding::convex_hull(n.list<3>(0));
-    default:
-      return rounding::extrusion(n.polygons(0), n.vector<3>(1));
+    default: {
+      const auto polygons = n.polygons(0);
+      return rounding::extrusion(polygons, n.vector<3>(1));
+    }
   }
 }
 
 Result<rounding::Motion> motion(const Node& node, Numbers& n) {
   switch (node.kind) {
-    case ModelKind::rotate:
-      return rotation_of(n.vector<3>(0), n.scalar(1));
+    case ModelKind::rotate: {
+      const auto axis = n.vector<3>(0);
+      return rotation_of(axis, n.scalar(1));
+    }
     case ModelKind::translate:
       return rounding::Motion::translation(n.vector<3>(0));
     case ModelKind::turn:
