@@ -31,12 +31,6 @@ Error at_node(Error error, const Node& node) {
   return error;
 }
 
-Expression half_space(const exact::Plane& plane, const grid::Lattice& lattice) {
-  const WidePlane p =
-      moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, rounding::to_grid(lattice));
-  return HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}};
-}
-
 /// Equal steps have equal texts.
 std::string text(const rounding::Step& step) {
   std::string s = std::to_string(step.index());

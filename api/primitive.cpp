@@ -89,9 +89,19 @@ Result<WidePlane> boundary_of(const std::array<Rational, 4>& plane) {
   return rounding::wide_plane({plane[0], plane[1], plane[2]}, plane[3]);
 }
 
-/// The polyhedron that half-spaces enclose, by a Boolean of them on a grid that is coarse for it.
-Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Options& run) {
-  if (planes.empty()) return Error{"unbounded", "an intersection of no half-spaces is all of space"};
+}  // namespace
+
+Expression half_space(const exact::Plane& plane, const grid::Lattice& lattice) {
+  const WidePlane p =
+      moved({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)}, rounding::to_grid(lattice));
+  return HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}};
+}
+
+namespace {
+
+/// The polyhedron that half-spaces enclose, by a Boolean of them on a grid that is coarse for it. Planes that do not
+/// fit that grid are rounded, and `is_exact` becomes false.
+Result<Polyhedron> boolean_intersection(const std::vector<WidePlane>& planes, bool& is_exact, const Options& run) {
   Rational reach = 0;
   for (const WidePlane& p : planes) {
     const Rational size = rounding::magnitude(p.n[0]) + rounding::magnitude(p.n[1]) + rounding::magnitude(p.n[2]);
@@ -99,15 +109,39 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
   }
   grid::Lattice lattice;
   while (reach > lattice.step * (1 << 18)) lattice.step *= 2;
-  const Grid grid = Access::grid(lattice);
+  const rounding::PlaneRounder rounder;
+  const rounding::AffineMap to_model = inverse(rounding::to_grid(lattice));
   std::vector<Expression> terms;
-  for (const WidePlane& p : planes)
-    terms.emplace_back(HalfSpace{{p.n[0].str(), p.n[1].str(), p.n[2].str(), p.d.str()}});
-  auto solid = evaluate(Solid::empty(grid) + Expression::intersection_of(std::move(terms)), {.cancel = run.cancel});
+  for (const WidePlane& p : planes) {
+    const WidePlane in_steps = moved(p, to_model);
+    const auto plane = rounder.round(in_steps, rounding::Method::best);
+    if (!plane) return Error{"out-of-range", "a half-space is too far from the others"};
+    is_exact = is_exact && rounder.fits(in_steps);
+    terms.push_back(half_space(*plane, lattice));
+  }
+  auto solid = evaluate(Solid::empty(Access::grid(lattice)) + Expression::intersection_of(std::move(terms)),
+                        {.cancel = run.cancel});
   if (!solid) return solid.error();
   if (solid.value().is_empty()) return Polyhedron{};
-  return carried(rounding::polyhedron_of(booleans::canonical(Access::body(solid.value()))),
-                 inverse(rounding::to_grid(lattice)));
+  return carried(rounding::polyhedron_of(booleans::canonical(Access::body(solid.value()))), to_model);
+}
+
+/// The polyhedron that half-spaces enclose, exactly.
+Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Options& run) {
+  if (planes.empty()) return Error{"unbounded", "an intersection of no half-spaces is all of space"};
+  bool is_exact = true;
+  auto near = boolean_intersection(planes, is_exact, run);
+  if (!near || is_exact) return near;
+  // Long numbers: from any point inside.
+  const std::vector<rounding::Vector>& points = near.value().points;
+  rounding::Vector inside{0, 0, 0};
+  for (const rounding::Vector& v : points)
+    for (std::size_t k = 0; k < 3; ++k) inside[k] += v[k] / points.size();
+  for (const WidePlane& p : planes)
+    if (value(p, inside) >= 0)
+      return Error{"bad-primitive",
+                   "what half-spaces with numbers of more than 62 bits enclose is empty, or too thin to be found"};
+  return rounding::convex_polyhedron(planes, inside);
 }
 
 Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
@@ -146,13 +180,8 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
     }
     case tangent_sphere: {
       const Rational radius = n.scalar(0);
-      // Of radius 1 its planes have short numbers.
-      const auto planes = rounding::tangent_sphere(radius > 0 ? 1 : radius, n.count(1));
-      if (!planes) return planes.error();
-      auto unit = intersection(planes.value(), run);
-      if (!unit) return unit.error();
-      return carried(std::move(unit).value(),
-                     {{rounding::Vector{radius, 0, 0}, {0, radius, 0}, {0, 0, radius}}, {0, 0, 0}});
+      const auto planes = rounding::tangent_sphere(radius, n.count(1));
+      return planes ? rounding::convex_polyhedron(planes.value(), {0, 0, 0}) : planes.error();
     }
     case torus: {
       const Rational major = n.scalar(0), minor = n.scalar(1);

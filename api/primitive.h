@@ -19,4 +19,7 @@ Result<rounding::WidePlane> half_space_of(const Access::ModelNode& node, Paramet
 /// Precondition: is_motion(node.kind). Errors: "bad-axis", "bad-factor", "not-a-rotation".
 Result<rounding::Motion> motion_of(const Access::ModelNode& node, Parameters& parameters);
 
+/// A half-space of the grid as a term, in model units.
+Expression half_space(const exact::Plane& plane, const grid::Lattice& lattice);
+
 }  // namespace quoin

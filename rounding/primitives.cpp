@@ -571,4 +571,54 @@ Result<Polyhedron> convex_hull(std::span<const Vector> points) {
   return Hull(std::move(distinct)).run();
 }
 
+namespace {
+
+/// The faces around each point of a convex polyhedron, counter-clockwise seen from outside.
+std::vector<std::vector<Index>> faces_around_points(const Polyhedron& p) {
+  using Pair = std::pair<Index, Index>;
+  std::map<Pair, Index> face_of;  // by directed edge: that on its left
+  for (Index f = 0; f < p.face_count(); ++f) p.for_edges(f, [&](Index u, Index v) { face_of[{u, v}] = f; });
+  // Around v the edge to u comes after the face left of (u, v), and before that left of (v, u).
+  std::map<Pair, Index> next;  // by point and face
+  std::vector<Index> first(p.points.size());
+  for (const auto& [edge, f] : face_of) {
+    next[{edge.second, f}] = face_of.at({edge.second, edge.first});
+    first[edge.second] = f;
+  }
+  std::vector<std::vector<Index>> around(p.points.size());
+  for (Index v = 0; v < p.points.size(); ++v) {
+    Index f = first[v];
+    do {
+      around[v].push_back(f);
+      f = next.at({v, f});
+    } while (f != first[v]);
+  }
+  return around;
+}
+
+}  // namespace
+
+// n . (x - c) <= e, e > 0, is y . (x - c) <= 1 for the dual point y = n / e. A facet m . y = k of their hull, k > 0, is
+// the vertex c + m / k, and a point of the hull a face, whose vertices are the facets around it.
+Result<Polyhedron> convex_polyhedron(std::span<const WidePlane> planes, const Vector& inside) {
+  const Error unbounded{"unbounded", "the half-spaces enclose no bounded solid"};
+  std::vector<Vector> dual;
+  for (const WidePlane& p : planes) {
+    const Rational e = -value(p, inside);
+    assert(e > 0);
+    dual.push_back({p.n[0] / e, p.n[1] / e, p.n[2] / e});
+  }
+  auto hull = convex_hull(dual);
+  // Bounded if and only if the origin is inside the hull.
+  if (!hull) return unbounded;
+  Polyhedron p;
+  for (const WidePlane& facet : hull.value().planes) {
+    if (facet.d >= 0) return unbounded;
+    const Integer k = -facet.d;
+    p.add_point(inside + Vector{Rational(facet.n[0], k), Rational(facet.n[1], k), Rational(facet.n[2], k)});
+  }
+  for (const auto& face : faces_around_points(hull.value())) p.add_face(face);
+  return p;
+}
+
 }  // namespace quoin::rounding

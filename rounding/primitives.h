@@ -50,4 +50,8 @@ Result<Polyhedron> extrusion(const std::vector<std::vector<std::vector<PlanePoin
 /// The convex hull of points that do not lie in one plane, in any order, with repetitions. Expected O(n log n).
 Result<Polyhedron> convex_hull(std::span<const Vector> points);
 
+/// The bounded polyhedron of the points that are below or on all planes. Precondition: `inside` is below each. By the
+/// hull of the dual points n / -value(inside), as above. Errors: also "unbounded".
+Result<Polyhedron> convex_polyhedron(std::span<const WidePlane> planes, const Vector& inside);
+
 }  // namespace quoin::rounding

@@ -211,13 +211,17 @@ TEST(Model, HalfSpacesMoveWithTheOthers) {
   }
 }
 
+std::string code(const Model& model) {
+  const auto solid = evaluate(model);
+  return solid ? "" : solid.error().code;
+}
+
 TEST(Model, ParametersAndErrors) {
   const Model part = block("w", "w*2", "h").with_parameters({{"w", "2"}, {"h", "w/4"}});
   EXPECT_EQ(volume(evaluated(part)), "4");
   ModelOptions options;
   options.parameters = {{"w", "4"}};
   EXPECT_EQ(volume(evaluated(part, options)), "32");
-  const auto code = [](const Model& model) { return evaluate(model).error().code; };
   EXPECT_EQ(code(block("v", "1", "1")), "bad-parameter");
   EXPECT_EQ(code(block("1+", "1", "1")), "bad-number");
   EXPECT_EQ(code(block("0", "1", "1")), "bad-primitive");
@@ -254,6 +258,28 @@ TEST(Model, TangentSpheresOfAnyRadius) {
   }
   EXPECT_EQ(evaluate(Model::tangent_sphere("0", "12")).error().code, "bad-primitive");
   EXPECT_EQ(evaluate(Model::tangent_sphere("-1", "12")).error().code, "bad-primitive");
+}
+
+TEST(Model, HalfSpacesOfLongNumbers) {
+  // An octahedron with normals of 40 digits that are not quite its own.
+  const std::string third = "0.5773502691896257645091487805019574556476";
+  std::vector<std::array<std::string, 4>> planes;
+  for (int i = 0; i < 8; ++i) {
+    std::array<std::string, 4> plane{third + "1", third + "2", third + "3", "-1"};
+    for (std::size_t k = 0; k < 3; ++k)
+      if ((i >> k & 1) != 0) plane[k] = "-" + plane[k];
+    planes.push_back(plane);
+  }
+  MotionReport report;
+  const Solid solid = evaluated(Model::convex(planes), {}, &report);
+  EXPECT_EQ(solid.info().faces, 8U);
+  EXPECT_EQ(solid.info().vertices, 6U);
+  // 4/3 a^3, a = sqrt(3).
+  EXPECT_EQ(std::round(1e6 * solid.info().volume_approx), std::round(1e6 * 4 * std::sqrt(3.0)));
+  EXPECT_EQ(code(Model::convex({planes[0], planes[1], planes[2]})), "unbounded");
+  // Nothing is on both sides.
+  planes.push_back({third, third, third, "2"});
+  EXPECT_EQ(code(Model::convex(planes)), "bad-primitive");
 }
 
 TEST(Model, NumbersBeyondTheDoubles) {

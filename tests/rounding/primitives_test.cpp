@@ -668,5 +668,50 @@ TEST(PrimitivesTest, HullsOfFlatPointsAreRefused) {
   EXPECT_TRUE(trihedral(p).has_value());
 }
 
+/// The same points and planes, in any order.
+void expect_same(const Polyhedron& p, const Polyhedron& q) {
+  EXPECT_EQ(std::set(p.points.begin(), p.points.end()), std::set(q.points.begin(), q.points.end()));
+  EXPECT_EQ(std::set(p.planes.begin(), p.planes.end()), std::set(q.planes.begin(), q.planes.end()));
+}
+
+TEST(PrimitivesTest, HullsAgainFromTheirPlanes) {
+  std::mt19937_64 random = generator(690);
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Vector> points;
+    const unsigned bits = i % 2 == 0 ? 8 : 90;
+    for (int n = 4 + static_cast<int>(below(random, 12)); n > 0; --n) points.push_back(random_vector(random, bits));
+    const auto hull = convex_hull(points);
+    if (!hull) continue;
+    const Polyhedron& expected = hull.value();
+    Vector inside{0, 0, 0};
+    for (const Vector& p : expected.points) inside = inside + Rational(1, expected.points.size()) * p;
+    std::vector<WidePlane> planes = expected.planes;
+    expect_same(sound(convex_polyhedron(planes, inside)), expected);
+    // Planes that touch in a corner or an edge, pass by, or stand twice, change nothing.
+    for (std::size_t k = 0; k + 1 < expected.planes.size(); ++k) {
+      const WidePlane &p = expected.planes[k], &q = expected.planes[k + 1];
+      if (p.n == std::array<Integer, 3>{-q.n[0], -q.n[1], -q.n[2]}) continue;
+      const Vector n{p.n[0] + q.n[0], p.n[1] + q.n[1], p.n[2] + q.n[2]};
+      Rational least = -dot(n, expected.points[0]);
+      for (const Vector& v : expected.points) least = std::min<Rational>(least, -dot(n, v));
+      planes.push_back(wide_plane(n, least - (k % 3 == 0 ? 1 : 0)));
+      planes.push_back(p);
+    }
+    expect_same(sound(convex_polyhedron(planes, inside)), expected);
+  }
+}
+
+TEST(PrimitivesTest, WhatPlanesDoNotBound) {
+  const Polyhedron cube = made(block({2, 2, 2}));
+  std::vector<WidePlane> planes = cube.planes;
+  expect_same(sound(convex_polyhedron(planes, {1, Rational(1, 3), Rational(1, 7)})), cube);
+  while (!planes.empty()) {
+    planes.pop_back();
+    const auto open = convex_polyhedron(planes, {1, 1, 1});
+    ASSERT_FALSE(open.has_value()) << planes.size();
+    EXPECT_EQ(open.error().code, "unbounded");
+  }
+}
+
 }  // namespace
 }  // namespace quoin::rounding::testing
