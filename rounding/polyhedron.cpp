@@ -99,7 +99,7 @@ Polyhedron polyhedron_of(const booleans::Canonical& form) {
 
 Polyhedron carried(Polyhedron p, const AffineMap& map) {
   assert(determinant(map.linear) > 0);
-  const IntegerMap back(inverse(map));
+  const IntegerMap back = inverse(IntegerMap(map));
   for (Vector& v : p.points) v = map(v);
   for (WidePlane& plane : p.planes) plane = moved(plane, back);
   return p;
