@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "booleans/body.h"
+#include "booleans/body/body.h"
 #include "grid/grid.h"
 #include "quoin/quoin.h"
-#include "rounding/motion.h"
+#include "rounding/motions/motion.h"
 
 namespace quoin {
 
@@ -60,7 +60,7 @@ struct Access {
     return Motion(std::make_shared<const Motion::Data>(Motion::Data{std::move(motion)}));
   }
   static const rounding::Motion& motion(const Motion& motion) {
-    static const rounding::Motion identity;
+    static const rounding::Motion& identity = *new rounding::Motion;
     return motion.data_ ? motion.data_->motion : identity;
   }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "api/access.h"
-#include "booleans/canonical.h"
-#include "booleans/query.h"
+#include "booleans/body/canonical.h"
+#include "booleans/body/locate.h"
 
 namespace quoin {
 
@@ -27,11 +27,10 @@ namespace {
 std::vector<std::vector<std::uint32_t>> sorted_faces(const Canonical& form) {
   std::vector<std::vector<std::uint32_t>> faces(form.face_count());
   for (std::size_t i = 0; i < faces.size(); ++i)
-    for (std::uint32_t j = form.face_loops[i]; j < form.face_loops[i + 1]; ++j) {
-      const std::uint32_t begin = form.loop_corners[j], end = form.loop_corners[j + 1];
-      faces[i].push_back(end - begin);
-      faces[i].insert(faces[i].end(), form.corners.begin() + begin, form.corners.begin() + end);
-    }
+    form.faces.for_loops(i, [&](std::span<const std::uint32_t> loop) {
+      faces[i].push_back(static_cast<std::uint32_t>(loop.size()));
+      faces[i].insert(faces[i].end(), loop.begin(), loop.end());
+    });
   std::sort(faces.begin(), faces.end());
   return faces;
 }
@@ -41,7 +40,7 @@ std::vector<std::vector<std::uint32_t>> sorted_faces(const Canonical& form) {
 bool equal_across_grids(const Solid& a, const Solid& b) {
   const Canonical p = booleans::canonical(Access::body(a)), q = booleans::canonical(Access::body(b));
   if (p.vertices.size() != q.vertices.size() || p.face_count() != q.face_count() ||
-      p.corners.size() != q.corners.size() || p.loop_corners.size() != q.loop_corners.size())
+      p.faces.corners.size() != q.faces.corners.size() || p.faces.loop_count() != q.faces.loop_count())
     return false;
   const grid::Lattice &s = Access::lattice(a), &t = Access::lattice(b);
   // Both are in lexicographic order, which no positive scaling and no shift changes.

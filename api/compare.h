@@ -2,7 +2,7 @@
 /// Equality of point sets.
 #pragma once
 
-#include "booleans/body.h"
+#include "booleans/body/body.h"
 #include "quoin/quoin.h"
 
 namespace quoin {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "api/access.h"
-#include "booleans/canonical.h"
+#include "booleans/body/canonical.h"
 #include "exact/rational.h"
 
 namespace quoin {
@@ -23,11 +23,8 @@ Map map_between(const grid::Lattice& from, const grid::Lattice& to) {
   const Rational ratio = from.step / to.step;
   std::array<Rational, 3> shift;
   for (std::size_t k = 0; k < 3; ++k) shift[k] = (from.origin[k] - to.origin[k]) / to.step;
-  Map map;
-  map.divisor = exact::common_denominator(std::array{ratio, shift[0], shift[1], shift[2]});
-  map.scale = exact::whole(ratio, map.divisor);
-  map.shift = exact::whole(shift, map.divisor);
-  return map;
+  const auto [n, divisor] = exact::over_common_denominator(std::array{ratio, shift[0], shift[1], shift[2]});
+  return {n[0], divisor, {n[1], n[2], n[3]}};
 }
 
 enum class Fault { none, inexact, out_of_range };
@@ -160,9 +157,10 @@ Error inexact(const Body& body, const grid::Lattice& from, const grid::Lattice& 
   const grid::Lattice common = common_lattice(from, to);
   std::optional<Body> result;
   const bool works = moved(body, map_between(from, common), result) == Fault::none;
-  return {"inexact-grid", "the solid on the grid of step " + exact::to_string(from.step) +
-                              " is not exact on the grid of step " + exact::to_string(to.step) + "; the step " +
-                              exact::to_string(works ? common.step : from.step) + " would work"};
+  return {ErrorCode::inexact_grid, "the solid on the grid of step " + exact::to_string(from.step) +
+                                       " is not exact on the grid of step " + exact::to_string(to.step) +
+                                       "; the step " + exact::to_string(works ? common.step : from.step) +
+                                       " would work"};
 }
 
 Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
@@ -170,7 +168,7 @@ Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Latt
   grid::Lattice centred = to;
   centred.origin = from.origin;
   const bool works = moved(body, map_between(from, centred), result) == Fault::none;
-  return {"out-of-range",
+  return {ErrorCode::out_of_range,
           "the solid reaches beyond the world of +-2^29 steps of " + exact::to_string(to.step) +
               (works ? std::string("; the same step with the origin of its own grid would work")
                      : "; the step " + exact::to_string(from.step) + " of its own grid, with its origin, would work")};

@@ -5,10 +5,9 @@
 
 #include "api/access.h"
 #include "api/flatten.h"
-#include "api/half_spaces.h"
 #include "api/run.h"
+#include "booleans/half_spaces.h"
 #include "booleans/parts.h"
-#include "booleans/query.h"
 #include "exact/predicates.h"
 
 namespace quoin {
@@ -36,14 +35,15 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
     for (std::size_t k = 0; k < 4; ++k) {
       const auto number = exact::parse_rational(h.plane[k]);
       if (!number)
-        return Error{"bad-plane", "the coefficient \"" + h.plane[k].substr(0, 80) +
-                                      "\" of a plane is neither a decimal nor a rational p/q"};
+        return Error{ErrorCode::bad_plane, "the coefficient \"" + h.plane[k].substr(0, 80) +
+                                               "\" of a plane is neither a decimal nor a rational p/q"};
       coefficients[k] = *number;
     }
     const auto plane = grid::grid_plane(lattice, coefficients);
     if (!plane)
-      return Error{"bad-plane", "the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
-                                    " has no normal, or its coefficients in grid steps are longer than 62 bits"};
+      return Error{ErrorCode::bad_plane,
+                   "the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
+                       " has no normal, or its coefficients in grid steps are longer than 62 bits"};
     const bool turned = !exact::is_canonical(*plane);
     const exact::Plane key = turned ? plane->opposite() : *plane;
     const auto [at, is_new] = known.emplace(key, static_cast<std::uint32_t>(planes.size()));
@@ -60,63 +60,6 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
   return planes;
 }
 
-/// rule(expression, operand), the operand perhaps complemented.
-booleans::Expression joined(Rule rule, const booleans::Expression& expression, std::uint32_t operand, bool negated) {
-  booleans::Expression result;
-  result.nodes.reserve(expression.nodes.size() + 2);
-  result.add({rule, false, 0, none});
-  for (auto node : expression.nodes) {
-    node.parent = node.parent == none ? 0 : node.parent + 1;
-    result.add(node);
-  }
-  result.add({Rule::operand, negated, operand, 0});
-  return result;
-}
-
-/// Strictly contains the faces of all solids.
-std::array<exact::GridPoint, 2> box_around(const std::vector<const Body*>& bodies) {
-  booleans::Box all;
-  for (const Body* body : bodies)
-    if (const auto box = booleans::bounds(*body)) all.add(*box);
-  if (all.low[0] > all.high[0]) all.add(exact::GridPoint{{0, 0, 0}});
-  std::array<exact::GridPoint, 2> r{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    r[0].c[k] = all.low[k] - 1;
-    r[1].c[k] = all.high[k] + 1;
-  }
-  return r;
-}
-
-/// Adds the half-spaces to the operands, clipped to a box outside of which the expression is constant.
-/// Errors: "unbounded".
-Result<void> clip(booleans::Expression& expression, const std::vector<exact::Plane>& planes,
-                  std::vector<const Body*>& operands, std::vector<Body>& storage, const Options& options) {
-  std::vector<Truth> far;
-  for (const Body* body : operands) far.push_back(body->full_at_infinity ? Truth::yes : Truth::no);
-  auto with_unknowns = far;
-  with_unknowns.resize(far.size() + planes.size(), Truth::unknown);
-  auto box = box_around(operands);
-  bool is_open = value(expression, with_unknowns) == Truth::unknown;
-  if (is_open) {
-    const auto outside = value_outside(expression, far, planes, exact::world, options.cancel);
-    if (!outside)
-      return Error{
-          "unbounded",
-          "half-spaces leave an infinite surface here, or one that reaches beyond the world of +-2^29 steps of "
-          "the grid; intersect with a bounded solid, or choose a coarser grid"};
-    constexpr std::int32_t reach = exact::world + 1;
-    box = {exact::GridPoint{{-reach, -reach, -reach}}, exact::GridPoint{{reach, reach, reach}}};
-    // The clipped half-spaces say nothing outside the box: there the value is set.
-    const auto box_operand = static_cast<std::uint32_t>(operands.size() + planes.size());
-    expression = joined(*outside ? Rule::any : Rule::all, expression, box_operand, *outside);
-  }
-  storage.reserve(planes.size() + 1);
-  for (const auto& plane : planes) storage.push_back(booleans::half_space_body(plane, box[0], box[1]));
-  if (is_open) storage.push_back(booleans::box_body(box[0], box[1]));
-  for (const Body& body : storage) operands.push_back(&body);
-  return {};
-}
-
 bool is_identity(const booleans::Expression& e) {
   return e.nodes.size() == 1 && e.nodes[0].rule == Rule::operand && !e.nodes[0].negated;
 }
@@ -125,8 +68,8 @@ bool is_identity(const booleans::Expression& e) {
 Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& known, const Options& options) {
   Flattened f = flattened(expression, known);
   if (f.solids.empty())
-    return Error{"no-operand", "an expression without a solid has no grid; give it at least one solid"};
-  if (options.cancel && options.cancel->load()) return Error{"cancelled", "the operation was cancelled"};
+    return Error{ErrorCode::no_operand, "an expression without a solid has no grid; give it at least one solid"};
+  if (options.cancel && options.cancel->load()) return Error{ErrorCode::cancelled, "the operation was cancelled"};
   auto unified = on_finest_grid(std::move(f.solids));
   if (!unified) return unified.error();
   f.solids = std::move(unified).value();
@@ -139,7 +82,7 @@ Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& k
   if (!f.half_spaces.empty()) {
     const auto planes = planes_of(f, Access::lattice(grid));
     if (!planes) return planes.error();
-    const auto clipped = clip(f.expression, planes.value(), operands, storage, options);
+    const auto clipped = booleans::clip_half_spaces(f.expression, planes.value(), operands, storage, options.cancel);
     if (!clipped) return clipped.error();
   }
   auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options));
@@ -196,22 +139,20 @@ Result<Solid> evaluate(const Expression& expression, const Options& options) {
 }
 
 Result<Solid> unite(const std::vector<Solid>& solids, const Options& options) {
-  return operated(Expression::union_of, solids, options);
+  return operated(Expression::unite, solids, options);
 }
 
 Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options) {
-  return operated(Expression::intersection_of, solids, options);
+  return operated(Expression::intersect, solids, options);
 }
 
 Result<Solid> difference(const Solid& minuend, const std::vector<Solid>& subtrahends, const Options& options) {
   if (subtrahends.empty()) return minuend;
-  std::vector<Expression> terms{minuend};
-  for (const Solid& solid : subtrahends) terms.push_back(Expression::complement_of(solid));
-  return evaluate(Expression::intersection_of(std::move(terms)), options);
+  return evaluate(Expression::difference(minuend, {subtrahends.begin(), subtrahends.end()}), options);
 }
 
 Result<Solid> symmetric_difference(const std::vector<Solid>& solids, const Options& options) {
-  return operated(Expression::symmetric_difference_of, solids, options);
+  return operated(Expression::symmetric_difference, solids, options);
 }
 
 Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_space, const Options& options) {

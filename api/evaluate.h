@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "booleans/expression.h"
+#include "booleans/classify/expression.h"
 #include "quoin/quoin.h"
 
 namespace quoin {

@@ -21,19 +21,28 @@ Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)
 Expression::Expression(const Solid& solid) : node_(std::make_shared<const Node>(solid)) {}
 Expression::Expression(const HalfSpace& half_space) : node_(std::make_shared<const Node>(half_space)) {}
 
-Expression Expression::union_of(std::vector<Expression> terms) {
+Expression Expression::unite(std::vector<Expression> terms) {
   return Expression(std::make_shared<const Node>(Node::Kind::any, std::move(terms)));
 }
 
-Expression Expression::intersection_of(std::vector<Expression> terms) {
+Expression Expression::intersect(std::vector<Expression> terms) {
   return Expression(std::make_shared<const Node>(Node::Kind::all, std::move(terms)));
 }
 
-Expression Expression::symmetric_difference_of(std::vector<Expression> terms) {
+Expression Expression::symmetric_difference(std::vector<Expression> terms) {
   return Expression(std::make_shared<const Node>(Node::Kind::odd, std::move(terms)));
 }
 
-Expression Expression::complement_of(Expression term) {
+Expression Expression::difference(Expression minuend, std::vector<Expression> subtrahends) {
+  if (subtrahends.empty()) return minuend;
+  std::vector<Expression> terms;
+  terms.reserve(subtrahends.size() + 1);
+  terms.push_back(std::move(minuend));
+  for (Expression& e : subtrahends) terms.push_back(complement(std::move(e)));
+  return intersect(std::move(terms));
+}
+
+Expression Expression::complement(Expression term) {
   std::vector<Expression> terms;
   terms.push_back(std::move(term));
   return Expression(std::make_shared<const Node>(Node::Kind::complement, std::move(terms)));
@@ -51,16 +60,14 @@ std::vector<Expression> two(Expression a, Expression b) {
 
 }  // namespace
 
-Expression operator+(Expression a, Expression b) { return Expression::union_of(two(std::move(a), std::move(b))); }
+Expression operator+(Expression a, Expression b) { return Expression::unite(two(std::move(a), std::move(b))); }
 Expression operator-(Expression a, Expression b) {
-  return Expression::intersection_of(two(std::move(a), Expression::complement_of(std::move(b))));
+  return Expression::intersect(two(std::move(a), Expression::complement(std::move(b))));
 }
-Expression operator&(Expression a, Expression b) {
-  return Expression::intersection_of(two(std::move(a), std::move(b)));
-}
+Expression operator&(Expression a, Expression b) { return Expression::intersect(two(std::move(a), std::move(b))); }
 Expression operator^(Expression a, Expression b) {
-  return Expression::symmetric_difference_of(two(std::move(a), std::move(b)));
+  return Expression::symmetric_difference(two(std::move(a), std::move(b)));
 }
-Expression operator~(Expression a) { return Expression::complement_of(std::move(a)); }
+Expression operator~(Expression a) { return Expression::complement(std::move(a)); }
 
 }  // namespace quoin

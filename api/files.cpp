@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "api/access.h"
 #include "api/evaluate.h"
@@ -7,7 +8,7 @@
 #include "api/run.h"
 #include "io/formats.h"
 #include "io/mesh.h"
-#include "io/quoin.h"
+#include "quoin/process.h"
 
 namespace quoin {
 namespace {
@@ -17,68 +18,52 @@ Error in_file(Error error, const std::string& file) {
   return error;
 }
 
-/// Precondition: not Format::quoin.
-io::Format mesh_format(Format format) {
-  switch (format) {
-    case Format::stl:
-      return io::Format::stl;
-    case Format::stl_ascii:
-      return io::Format::stl_ascii;
-    case Format::obj:
-      return io::Format::obj;
-    case Format::off:
-      return io::Format::off;
-    case Format::ply:
-      return io::Format::ply;
-    case Format::ply_ascii:
-      return io::Format::ply_ascii;
-    case Format::quoin:
-      break;
-  }
-  assert(false);
-  return io::Format::off;
-}
+Result<Source> parsed(const std::string& path, std::string_view bytes, std::optional<Format> hint, Trust trust) {
+  const auto named = hint ? Result<Format>(*hint) : format_of(path);
+  const auto format = io::format_to_read(bytes, named ? std::optional(named.value()) : std::nullopt);
+  if (!format) return named.error();
 
-std::string_view without_byte_order_mark(std::string_view bytes) {
-  return bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
-}
-
-/// The format that the bytes show by themselves; nothing where only a name can tell.
-std::optional<Format> format_by_content(std::string_view bytes) {
-  const std::string_view text = without_byte_order_mark(bytes);
-  if (io::looks_like_quoin(text)) return Format::quoin;
-  if (io::looks_like_ply(text)) return Format::ply;
-  if (io::looks_like_off(text)) return Format::off;
-  if (io::is_exact_binary_stl(bytes)) return Format::stl;
-  if (io::looks_like_ascii_stl(text)) return Format::stl_ascii;
-  return std::nullopt;
-}
-
-/// An STL hint lets a binary file begin with any word; other hints give way to what the content shows.
-Result<Format> format_to_read(const std::string& path, std::string_view bytes, std::optional<Format> format) {
-  const auto named = format ? Result<Format>(*format) : format_of(path);
-  const bool stl = named && (named.value() == Format::stl || named.value() == Format::stl_ascii);
-  if (stl && io::is_exact_binary_stl(bytes)) return Format::stl;
-  if (const auto shown = format_by_content(bytes)) {
-    // Lengths can agree by chance: a name weighs more than that.
-    if (*shown != Format::stl || !named) return *shown;
-  }
-  return named;
-}
-
-Result<Source> parsed(const std::string& path, std::string_view bytes, Format format, Trust trust) {
   Source source;
   source.name = path;
-  if (format == Format::quoin) {
-    auto solid = Solid::from_quoin(without_byte_order_mark(bytes), trust);
+  if (info_of(*format).is_exact) {
+    auto solid = Solid::from_quoin(io::without_byte_order_mark(bytes), trust);
     if (!solid) return solid.error();
     source.exact = std::move(solid).value();
     return source;
   }
-  auto mesh = io::read_mesh(bytes, mesh_format(format));
+
+  auto mesh = io::read_mesh(bytes, *format);
   if (!mesh) return mesh.error();
   source.mesh = {std::move(mesh.value().points), std::move(mesh.value().starts), std::move(mesh.value().corners)};
   return source;
+}
+
+/// Whether the arrays are a mesh that the format can hold.
+Result<void> check_writable(const Mesh& mesh, Format format) {
+  if (format == Format::quoin)
+    return Error{ErrorCode::unknown_format, "a .quoin file holds an exact solid, not a triangle mesh"};
+  if (mesh.points.size() % 3 != 0)
+    return Error{ErrorCode::bad_index, "the number of coordinates is not a multiple of 3"};
+  if (mesh.triangles.size() % 3 != 0)
+    return Error{ErrorCode::bad_index, "the number of triangle corners is not a multiple of 3"};
+
+  const std::size_t count = mesh.points.size() / 3;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (mesh.triangles[i] >= count)
+      return Error{
+          ErrorCode::bad_index,
+          "a triangle names vertex " + std::to_string(mesh.triangles[i]) + ", but there are " + std::to_string(count),
+          {},
+          "face " + std::to_string(i / 3)};
+
+  const bool narrow = format == Format::stl;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (!std::isfinite(narrow ? static_cast<float>(mesh.points[i]) : mesh.points[i]))
+      return Error{ErrorCode::non_finite,
+                   std::string("a coordinate is not finite") + (narrow ? " in float32" : ""),
+                   {},
+                   "vertex " + std::to_string(i / 3)};
+  return {};
 }
 
 /// The grid of all sources together.
@@ -89,41 +74,56 @@ Result<Grid> common_grid(const std::vector<Source>& sources) {
         (finest == nullptr || Access::lattice(*source.exact).step < Access::lattice(*finest->exact).step))
       finest = &source;
   if (finest) return finest->exact->grid();
+
   std::vector<std::span<const double>> meshes;
   for (const Source& source : sources) meshes.emplace_back(source.mesh.points);
-  return fitting_grid(meshes);
+  auto grid = fitting_grid(meshes);
+  if (grid) return grid;
+
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (const auto alone = fitting_grid(std::span(meshes).subspan(i, 1)); !alone)
+      return in_file(alone.error(), sources[i].name);
+  return grid.error();
 }
 
 /// One source on the common grid.
 Result<Solid> built(const Source& source, const ImportOptions& options, ImportReport& report) {
-  if (source.exact) return source.exact->on_grid(*options.grid);
+  if (source.exact) {
+    auto solid = source.exact->on_grid(*options.grid);
+    if (solid && options.run.progress) options.run.progress(1);
+    return solid;
+  }
+
   const PolygonMesh& mesh = source.mesh;
   return Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, options, &report);
 }
 
 }  // namespace
 
-Result<Format> format_of(std::string_view file_name) {
-  std::string ending(file_name.substr(file_name.size() - std::min<std::size_t>(file_name.size(), 6)));
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  constexpr std::array<std::pair<std::string_view, Format>, 5> known{{{".stl", Format::stl},
-                                                                      {".obj", Format::obj},
-                                                                      {".off", Format::off},
-                                                                      {".ply", Format::ply},
-                                                                      {".quoin", Format::quoin}}};
-  for (const auto& [extension, format] : known)
-    if (ending.ends_with(extension)) return format;
-  return Error{"unknown-format", "the file name does not end with .stl, .obj, .off, .ply or .quoin",
-               std::string(file_name)};
+std::span<const FormatInfo> formats() {
+  // Never destroyed: static objects may ask when the program ends.
+  static const std::vector<FormatInfo>& infos = *[] {
+    auto* all = new std::vector<FormatInfo>;
+    for (const io::FormatRow& row : io::format_rows()) all->push_back(row.info);
+    return all;
+  }();
+  return infos;
 }
+
+const FormatInfo& info_of(Format format) { return io::row_of(format).info; }
+
+std::optional<Format> format_called(std::string_view name) {
+  for (const FormatInfo& info : formats())
+    if (info.name == name) return info.format;
+  return std::nullopt;
+}
+
+Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
 Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust) {
   const auto bytes = io::read_file(path);
   if (!bytes) return in_file(bytes.error(), path);
-  const auto found = format_to_read(path, bytes.value(), format);
-  if (!found) return in_file(found.error(), path);
-  auto source = parsed(path, bytes.value(), found.value(), trust);
+  auto source = parsed(path, bytes.value(), format, trust);
   if (!source) return in_file(source.error(), path);
   return source;
 }
@@ -134,9 +134,11 @@ Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOption
   ImportOptions each = options;
   if (!each.grid) {
     const auto grid = common_grid(sources);
-    if (!grid) return sources.size() == 1 ? in_file(grid.error(), sources[0].name) : grid.error();
+    if (!grid) return grid.error();
     each.grid = grid.value();
   }
+  if (sources.empty() && options.run.progress) options.run.progress(1);
+
   std::vector<Solid> solids;
   solids.reserve(sources.size());
   for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -163,6 +165,14 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
   return build(std::move(sources), options, reports);
 }
 
+Result<Solid> read_solid(const std::string& path, const ImportOptions& options, ImportReport* report) {
+  std::vector<ImportReport> reports;
+  auto solids = read({path}, options, &reports);
+  if (!solids) return solids.error();
+  if (report) *report = reports[0];
+  return std::move(solids.value()[0]);
+}
+
 Result<Model> Model::read(const std::string& path) {
   const auto text = io::read_file(path);
   if (!text) return in_file(text.error(), path);
@@ -174,8 +184,9 @@ Result<Model> Model::read(const std::string& path) {
   return model;
 }
 
-std::string to_bytes(const Mesh& mesh, Format format) {
-  return io::write_mesh(mesh.points, mesh.triangles, mesh_format(format));
+Result<std::string> to_bytes(const Mesh& mesh, Format format) {
+  if (const auto checked = check_writable(mesh, format); !checked) return checked.error();
+  return io::write_mesh(mesh.points, mesh.triangles, format);
 }
 
 Result<void> write_bytes(const std::string& path, std::string_view bytes) {
@@ -189,12 +200,16 @@ void abandon_temporary_files() { io::abandon_temporary_files(); }
 Result<void> Solid::write(const std::string& path, const ExportOptions& options) const {
   const auto format = format_of(path);
   if (!format) return format.error();
-  if (format.value() == Format::quoin) return write_bytes(path, to_quoin());
+  const FormatInfo& info = info_of(format.value());
+  if (info.is_exact) return write_bytes(path, to_quoin());
+
   ExportOptions rounding = options;
-  rounding.float32 = options.float32 || format.value() == Format::stl;
+  rounding.float32 = options.float32 || info.is_float32;
   const auto mesh = to_triangles(rounding);
   if (!mesh) return in_file(mesh.error(), path);
-  return write_bytes(path, to_bytes(mesh.value(), format.value()));
+  const auto bytes = to_bytes(mesh.value(), format.value());
+  if (!bytes) return in_file(bytes.error(), path);
+  return write_bytes(path, bytes.value());
 }
 
 }  // namespace quoin

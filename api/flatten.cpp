@@ -44,7 +44,7 @@ class Flattener {
   }
 
   void visit(const Item& item) {
-    static const Node nothing(Node::Kind::any, {});
+    static const Node& nothing = *new Node(Node::Kind::any, std::vector<Expression>());
     const Node& node = item.node ? *item.node : nothing;
     if (const auto known = known_.find(item.node); known != known_.end()) return add_solid(known->second, item);
     switch (node.kind) {
@@ -108,7 +108,7 @@ class SharedTerms {
     for (const Expression* term : order_) measure(*term);
     constexpr std::uint64_t most = 1 << 24;
     if (leaves(root).count > most)
-      return Error{"too-many-terms",
+      return Error{ErrorCode::too_many_terms,
                    "shared terms with half-spaces make more than 2^24 terms when they are written out"};
     return std::move(large_);
   }

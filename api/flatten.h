@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "api/access.h"
-#include "booleans/expression.h"
+#include "booleans/classify/expression.h"
 
 namespace quoin {
 

@@ -23,10 +23,10 @@ bool is_short(const Rational& v) {
 Result<Rational> number(std::string_view text, const char* name) {
   const auto value = exact::parse_rational(text);
   if (!value)
-    return Error{"bad-number", "the " + std::string(name) + " \"" + std::string(text.substr(0, 80)) +
-                                   "\" is neither a decimal nor a rational p/q"};
+    return Error{ErrorCode::bad_number, "the " + std::string(name) + " \"" + std::string(text.substr(0, 80)) +
+                                            "\" is neither a decimal nor a rational p/q"};
   if (!is_short(*value))
-    return Error{"bad-number",
+    return Error{ErrorCode::bad_number,
                  "the " + std::string(name) + " has more than " + std::to_string(io::max_lattice_digits) + " digits"};
   return *value;
 }
@@ -41,7 +41,8 @@ Grid Access::grid(grid::Lattice lattice) {
 }
 
 Grid::Grid() {
-  static const auto unit = std::make_shared<const Data>();
+  // Never destroyed, as every static object of the library.
+  static const auto& unit = *new auto(std::make_shared<const Data>());
   data_ = unit;
 }
 
@@ -55,7 +56,8 @@ Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<
   grid::Lattice lattice;
   const auto s = number(step, "grid step");
   if (!s) return s.error();
-  if (s.value() <= 0) return Error{"bad-number", "the grid step \"" + std::string(step) + "\" is not positive"};
+  if (s.value() <= 0)
+    return Error{ErrorCode::bad_number, "the grid step \"" + std::string(step) + "\" is not positive"};
   lattice.step = s.value();
   for (std::size_t k = 0; k < 3; ++k) {
     const auto o = number(origin[k], "grid origin");

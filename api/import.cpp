@@ -3,51 +3,93 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "api/access.h"
 #include "api/run.h"
-#include "booleans/boolean.h"
+#include "booleans/dropped_shells.h"
+#include "booleans/resolve.h"
 #include "grid/import.h"
+#include "grid/snap.h"
 
 namespace quoin {
 namespace {
 
 bool cancelled(const Options& options) { return options.cancel != nullptr && options.cancel->load(); }
 
+void report_progress(const Options& options, double done) {
+  if (options.progress) options.progress(done);
+}
+
+Result<Grid> chosen_grid(std::span<const double> points, const ImportOptions& options) {
+  if (options.grid) return *options.grid;
+  return fitting_grid(std::array{points});
+}
+
+ImportReport report_of(const grid::ImportedMesh& mesh) {
+  ImportReport report;
+  report.max_snap = mesh.max_snap;
+  report.merged_points = mesh.merged_points;
+  report.zero_area_triangles = mesh.zero_area_triangles;
+  report.nonplanar_polygons = mesh.nonplanar_polygons;
+  return report;
+}
+
+/// The body without crossings; adds to the report what that took, and what was lost.
+Result<booleans::Body> resolved(const booleans::Body& mesh, const Grid& grid, const Options& run,
+                                ImportReport* report) {
+  std::uint64_t crossings = 0;
+  auto body = booleans::resolve(mesh, crossings, run_of(run));
+  if (!body || !report) return body;
+
+  report->resolved_crossings = crossings;
+  const booleans::DroppedShells dropped = booleans::dropped_shells(mesh, body.value());
+  report->dropped_shells = dropped.count;
+  if (dropped.count > 0)
+    report->dropped_where = "shell at " + grid::describe_point(Access::lattice(grid), dropped.lowest_corner);
+  return body;
+}
+
 /// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.
 template <class Import>
 Result<Solid> imported(std::span<const double> points, const ImportOptions& options, ImportReport* report,
                        Import&& import) {
   if (report) *report = {};
-  if (cancelled(options.run)) return Error{"cancelled", "the import was cancelled"};
-  Grid grid;
-  if (options.grid) {
-    grid = *options.grid;
-  } else {
-    const auto fitting = fitting_grid(std::array{points});
-    if (!fitting) return fitting.error();
-    grid = fitting.value();
-  }
+  if (cancelled(options.run)) return Error{ErrorCode::cancelled, "the import was cancelled"};
+  const auto grid = chosen_grid(points, options);
+  if (!grid) return grid.error();
+
   if (options.run.stage) options.run.stage("snap, weld, validate");
-  auto result = import(Access::lattice(grid));
-  if (!result) return result.error();
-  grid::ImportedMesh& mesh = result.value();
-  if (report) {
-    report->max_snap = mesh.max_snap;
-    report->merged_points = mesh.merged_points;
-    report->zero_area_triangles = mesh.zero_area_triangles;
-    report->nonplanar_polygons = mesh.nonplanar_polygons;
-  }
-  if (mesh.triangles.empty()) return Solid::empty(grid);
+  report_progress(options.run, 0);
+  auto mesh = import(Access::lattice(grid.value()));
+  if (!mesh) return mesh.error();
+  if (report) *report = report_of(mesh.value());
+
   booleans::Body body;
-  body.grid_points = std::move(mesh.points);
-  body.triangles = std::move(mesh.triangles);
-  if (options.trust == Trust::embedded) return Access::solid(grid, std::move(body));
-  std::uint64_t crossings = 0;
-  auto resolved = booleans::resolve(std::move(body), crossings, run_of(options.run));
-  if (!resolved) return resolved.error();
-  if (report) report->resolved_crossings = crossings;
-  return Access::solid(grid, std::move(resolved).value());
+  body.grid_points = std::move(mesh.value().points);
+  body.triangles = std::move(mesh.value().triangles);
+  body.is_proved = options.trust == Trust::nothing;
+  const bool is_empty = body.triangles.empty();
+  if (!is_empty && options.trust == Trust::nothing) {
+    auto proved = resolved(body, grid.value(), step_of(options.run, 0.1, 0.95), report);
+    if (!proved) return proved.error();
+    body = std::move(proved).value();
+  }
+
+  report_progress(options.run, 1);
+  return is_empty ? Solid::empty(grid.value()) : Access::solid(grid.value(), std::move(body));
+}
+
+/// The first point that no grid can hold, as the place of an error.
+std::string far_point(std::span<const std::span<const double>> meshes) {
+  for (const auto points : meshes)
+    for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (std::isfinite(points[i + k]) && std::fabs(points[i + k]) > 0x1p1020)
+          return "vertex " + std::to_string(i / 3) + " " + grid::describe_point(&points[i]);
+  return {};
 }
 
 }  // namespace
@@ -64,30 +106,76 @@ Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
       }
   for (std::size_t k = 0; k < 3; ++k)
     if (low[k] > high[k]) low[k] = high[k] = 0;
-  return Grid::fitting(low, high);
+
+  auto grid = Grid::fitting(low, high);
+  if (grid) return grid;
+  Error error = grid.error();
+  error.where = far_point(meshes);
+  return error;
 }
 
-Result<Solid> Solid::from_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                    const ImportOptions& options, ImportReport* report) {
+namespace {
+
+/// The coordinates as doubles, which hold every float; `storage` keeps what had to be converted.
+std::span<const double> doubles(const Coordinates& coordinates, std::vector<double>& storage) {
+  if (const auto* exact = std::get_if<std::span<const double>>(&coordinates.values())) return *exact;
+  const auto floats = std::get<std::span<const float>>(coordinates.values());
+  storage.assign(floats.begin(), floats.end());
+  return storage;
+}
+
+/// The indices without their sign: what is negative becomes 2^31 or more, and so names nothing.
+std::span<const std::uint32_t> unsigned_indices(const Indices& indices) {
+  if (const auto* plain = std::get_if<std::span<const std::uint32_t>>(&indices.values())) return *plain;
+  const auto values = std::get<std::span<const std::int32_t>>(indices.values());
+  // The language allows to read an object as the unsigned type that corresponds to its own.
+  return {reinterpret_cast<const std::uint32_t*>(values.data()), values.size()};
+}
+
+/// Errors: "bad-index" where one is negative. `what` names the array's entries.
+Result<void> check_signs(const Indices& indices, const std::string& what) {
+  const auto* values = std::get_if<std::span<const std::int32_t>>(&indices.values());
+  if (values == nullptr) return {};
+  const auto at = std::find_if(values->begin(), values->end(), [](std::int32_t v) { return v < 0; });
+  if (at == values->end()) return {};
+
+  const std::string place = what + " " + std::to_string(at - values->begin());
+  return Error{ErrorCode::bad_index, place + " is the negative number " + std::to_string(*at), {}, place};
+}
+
+}  // namespace
+
+Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const ImportOptions& options,
+                                    ImportReport* report) {
+  if (const auto checked = check_signs(triangles, "corner"); !checked) return checked.error();
+  std::vector<double> storage;
+  const auto coordinates = doubles(points, storage);
+  const auto corners = unsigned_indices(triangles);
+
   return with_threads(options.run.threads, [&] {
-    return imported(points, options, report,
-                    [&](const grid::Lattice& lattice) { return grid::import_triangles(points, triangles, lattice); });
+    return imported(coordinates, options, report, [&](const grid::Lattice& lattice) {
+      return grid::import_triangles(coordinates, corners, lattice);
+    });
   });
 }
 
-Result<Solid> Solid::from_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                    const Grid& grid) {
+Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const Grid& grid) {
   ImportOptions options;
   options.grid = grid;
   return from_triangles(points, triangles, options);
 }
 
-Result<Solid> Solid::from_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
-                                   std::span<const std::uint32_t> corners, const ImportOptions& options,
+Result<Solid> Solid::from_polygons(Coordinates points, Indices starts, Indices corners, const ImportOptions& options,
                                    ImportReport* report) {
+  if (const auto checked = check_signs(starts, "start"); !checked) return checked.error();
+  if (const auto checked = check_signs(corners, "corner"); !checked) return checked.error();
+  std::vector<double> storage;
+  const auto coordinates = doubles(points, storage);
+  const auto first = unsigned_indices(starts), all = unsigned_indices(corners);
+
   return with_threads(options.run.threads, [&] {
-    return imported(points, options, report, [&](const grid::Lattice& lattice) {
-      return grid::import_polygons(points, starts, corners, lattice);
+    return imported(coordinates, options, report, [&](const grid::Lattice& lattice) {
+      return grid::import_polygons(coordinates, first, all, lattice);
     });
   });
 }

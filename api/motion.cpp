@@ -3,7 +3,7 @@
 #include <string>
 
 #include "api/access.h"
-#include "rounding/reconstruct.h"
+#include "rounding/motions/realize.h"
 
 namespace quoin {
 
@@ -12,11 +12,14 @@ using rounding::Quaternion;
 
 namespace {
 
-Error bad_axis(const char* what) { return {"bad-axis", std::string("the ") + what + " is 0: it has no direction"}; }
+Error bad_axis(const char* what) {
+  return {ErrorCode::bad_axis, std::string("the ") + what + " is 0: it has no direction"};
+}
 
 Result<Rational> number(std::string_view text) {
   if (const auto v = exact::parse_rational(text)) return *v;
-  return Error{"bad-number", "\"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q"};
+  return Error{ErrorCode::bad_number,
+               "\"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q"};
 }
 
 template <std::size_t N>
@@ -54,7 +57,7 @@ Result<rounding::Motion> turn_of(const std::array<Rational, 4>& wxyz) {
 Result<rounding::Motion> turn_of(const rounding::Matrix& rows, Rational& deviation) {
   const auto q = rounding::nearest_rotation(rows, deviation);
   if (!q)
-    return Error{"not-a-rotation",
+    return Error{ErrorCode::not_a_rotation,
                  "the matrix is no rotation: its rows are not orthonormal to 1e-6, or its determinant is negative"};
   return rounding::Motion::turn(*q);
 }
@@ -67,7 +70,7 @@ Result<rounding::Motion> mirror_of(const rounding::Vector& normal) {
 Result<rounding::Motion> scaling_of(const rounding::Vector& factors) {
   for (const Rational& x : factors)
     if (x <= 0)
-      return Error{"bad-factor",
+      return Error{ErrorCode::bad_factor,
                    "a factor must be positive, not " + exact::to_string(x) + "; a mirror image turns a solid round"};
   return rounding::Motion::scaling(factors);
 }
@@ -139,6 +142,7 @@ MotionInfo Motion::info() const {
     const Quaternion& q = *realized.rotation;
     info.quaternion = {q.w.str(), q.x.str(), q.y.str(), q.z.str()};
   }
+
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) info.linear[i][j] = exact::to_string(realized.map.linear[i][j]);
     info.shift[i] = exact::to_string(realized.map.shift[i]);

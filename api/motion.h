@@ -3,7 +3,7 @@
 #pragma once
 
 #include "quoin/result.h"
-#include "rounding/motion.h"
+#include "rounding/motions/motion.h"
 
 namespace quoin {
 

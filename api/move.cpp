@@ -1,35 +1,57 @@
+#include <memory>
+#include <utility>
+
 #include "api/place.h"
 #include "api/run.h"
-#include "booleans/body.h"
+#include "booleans/body/body.h"
 
 namespace quoin {
 namespace {
 
-Result<Solid> moved(const Solid& solid, const Motion& motion, const MoveOptions& options, MotionReport* report) {
-  const rounding::RealizedMotion realized = rounding::realize(Access::motion(motion));
-  if (report)
-    *report = {.angle_error = exact::double_above(realized.angle_error_degrees), .primitives = 1, .by_planes = 1};
-  // Nothing moves, or there is nothing that moves.
-  if (realized.map == rounding::AffineMap{} || Access::operand(solid).face_count() == 0) return solid;
+/// Of a solid and of its complement, whose surface is the same.
+std::shared_ptr<const rounding::Shape> surface_of(const Solid& solid) {
+  return shape_of(solid.is_bounded() ? solid : ~solid);
+}
+
+Result<Solid> placed(const Solid& solid, const rounding::RealizedMotion& motion, const MoveOptions& options,
+                     MotionReport& report) {
   if (!solid.is_bounded()) {
-    auto complement = moved(~solid, motion, options, report);
+    auto complement = placed(~solid, motion, options, report);
     if (!complement) return complement.error();
     return ~complement.value();
   }
+
   const auto shape = shape_of(solid);
   constexpr double half = 0.5;  // of the time, for a mesh
   if (options.run.progress) options.run.progress(half);
-  auto placed =
-      place({{shape.get(), {}, &realized}}, Access::lattice(solid), options.rounding, step_of(options.run, half, 1));
-  if (!placed) return placed.error();
-  if (report) *report = placed.value().report;
-  return Access::solid(solid.grid(), std::move(placed.value().primitives[0].body));
+
+  auto bodies =
+      place({{shape.get(), {}, &motion}}, Access::lattice(solid), options.rounding, step_of(options.run, half, 1));
+  if (!bodies) return bodies.error();
+  report = bodies.value().report;
+  return Access::solid(solid.grid(), std::move(bodies.value().primitives[0].body));
+}
+
+Result<Solid> carried(const Solid& solid, const rounding::RealizedMotion& motion, const MoveOptions& options,
+                      MotionReport& report) {
+  report = {.angle_error = exact::double_above(motion.angle_error_degrees), .primitives = 1, .by_planes = 1};
+  if (Access::operand(solid).face_count() == 0) return solid;
+
+  if (motion.map == rounding::AffineMap{}) {
+    // Nothing moves; but the motion may state an angle that is too small for a rational one.
+    if (!motion.is_exact()) report_displacement(report, motion.displacement_within(surface_of(solid)->reach));
+    return solid;
+  }
+  return placed(solid, motion, options, report);
 }
 
 }  // namespace
 
-Result<Solid> move(const Solid& solid, const Motion& motion, const MoveOptions& options, MotionReport* report) {
-  return with_threads(options.run.threads, [&] { return moved(solid, motion, options, report); });
+Result<Solid> moved(const Solid& solid, const Motion& motion, const MoveOptions& options, MotionReport* report) {
+  return with_threads(options.run.threads, [&] {
+    MotionReport ignored;
+    return carried(solid, rounding::realize(Access::motion(motion)), options, report ? *report : ignored);
+  });
 }
 
 }  // namespace quoin

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "booleans/canonical.h"
+#include "booleans/body/canonical.h"
 
 namespace quoin {
 
@@ -38,6 +39,34 @@ rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run
   return options;
 }
 
+MotionReport report_of(const std::vector<Placed>& primitives, const rounding::Reconstruction& done,
+                       const Rational& step) {
+  MotionReport report;
+  Rational displacement = 0, angle = 0;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const rounding::Reconstructed& r = done.primitives[i];
+    const rounding::RealizedMotion& motion = *primitives[i].motion;
+    ++report.primitives;
+    ++(r.by_planes ? report.by_planes : report.by_vertices);
+    report.merged_points += r.merged_points;
+    report.zero_area_triangles += r.zero_area_triangles;
+    report.resolved_crossings += r.resolved_crossings;
+    if (r.vanished && report.vanished_primitives++ == 0) report.vanished_where = "primitive " + std::to_string(i);
+
+    angle = std::max(angle, motion.angle_error_degrees);
+    if (!primitives[i].shape) continue;
+    const Rational by_angle = motion.displacement_within(primitives[i].shape->reach);
+    displacement = std::max<Rational>(displacement, by_angle + r.displacement * step);
+  }
+
+  report.planes = done.planes;
+  report.exact_planes = done.exact_planes;
+  report.face_local_planes = done.face_local_planes;
+  report.angle_error = exact::double_above(angle);
+  report_displacement(report, displacement);
+  return report;
+}
+
 }  // namespace
 
 Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::Lattice& lattice, Rounding rounding,
@@ -48,34 +77,18 @@ Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::La
     const rounding::AffineMap to_grid = composed(p.motion->map, steps);
     placements.push_back({p.shape, p.half_space, p.shape ? composed(p.shape->to_model, to_grid) : to_grid});
   }
+
   auto done = rounding::reconstruct(placements, options_of(rounding, run));
   if (!done) return done.error();
+  MotionReport report = report_of(primitives, done.value(), lattice.step);
+  return PlacedBodies{std::move(done.value().primitives), std::move(report)};
+}
 
-  PlacedBodies result{std::move(done.value().primitives), {}};
-  MotionReport& report = result.report;
-  Rational displacement = 0, angle = 0;
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
-    const rounding::Reconstructed& r = result.primitives[i];
-    const rounding::RealizedMotion& motion = *primitives[i].motion;
-    angle = std::max(angle, motion.angle_error_degrees);
-    ++report.primitives;
-    ++(r.by_planes ? report.by_planes : report.by_vertices);
-    report.merged_points += r.merged_points;
-    report.zero_area_triangles += r.zero_area_triangles;
-    report.resolved_crossings += r.resolved_crossings;
-    if (!primitives[i].shape) continue;
-    const Rational by_angle = motion.displacement_per_unit * primitives[i].shape->reach + motion.displacement;
-    displacement = std::max<Rational>(displacement, by_angle + r.displacement * lattice.step);
-  }
-  report.planes = done.value().planes;
-  report.exact_planes = done.value().exact_planes;
-  report.face_local_planes = done.value().face_local_planes;
-  report.angle_error = exact::double_above(angle);
+void report_displacement(MotionReport& report, Rational displacement) {
   report.displacement = exact::double_above(displacement);
   // As the rational that a double is it has few digits.
   if (std::isfinite(report.displacement)) displacement = exact::to_rational(report.displacement);
   report.displacement_bound = exact::to_string(displacement);
-  return result;
 }
 
 std::shared_ptr<const rounding::Shape> shape_of(const Solid& solid) {

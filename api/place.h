@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "api/access.h"
-#include "rounding/reconstruct.h"
+#include "rounding/motions/realize.h"
+#include "rounding/reconstruction/reconstruct.h"
 
 namespace quoin {
 
@@ -26,6 +27,9 @@ struct PlacedBodies {
 /// Errors: those of rounding::reconstruct; `where` begins with "primitive I".
 Result<PlacedBodies> place(const std::vector<Placed>& primitives, const grid::Lattice& lattice, Rounding rounding,
                            const Options& run);
+
+/// The bound of what the report's motions displace, and the same rounded up; model units.
+void report_displacement(MotionReport& report, exact::Rational displacement);
 
 /// The boundary of a bounded solid as a shape.
 std::shared_ptr<const rounding::Shape> shape_of(const Solid& solid);

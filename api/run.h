@@ -15,10 +15,14 @@ namespace quoin {
 
 inline booleans::Run run_of(const Options& options) { return {options.progress, options.cancel, options.stage}; }
 
-/// Of a run in several steps the one from `from` to `to`, as fractions of the whole.
+/// Of a run in several steps the one from `from` to `to`, as fractions of the whole. It ends at exactly `to`, and never
+/// passes it before: the sum may round upwards.
 inline Options step_of(const Options& run, double from, double to) {
   Options step = run;
-  if (run.progress) step.progress = [&run, from, to](double done) { run.progress(from + done * (to - from)); };
+  if (run.progress)
+    step.progress = [&run, from, to](double done) {
+      run.progress(done < 1 ? std::min(from + done * (to - from), to) : to);
+    };
   return step;
 }
 

@@ -2,13 +2,13 @@
 #include <cassert>
 #include <cmath>
 #include <mutex>
-#include <stdexcept>
 
 #include "api/access.h"
 #include "api/compare.h"
 #include "api/evaluate.h"
-#include "booleans/measure.h"
-#include "booleans/query.h"
+#include "booleans/body/canonical.h"
+#include "booleans/body/locate.h"
+#include "booleans/body/measure.h"
 #include "exact/counters.h"
 
 namespace quoin {
@@ -38,7 +38,8 @@ Solid Access::solid(const Grid& grid, Body&& body) {
 }
 
 const Body& Access::operand(const Solid& solid) {
-  static const Body empty;
+  // Never destroyed: static objects may ask when their turn to go has come.
+  static const Body& empty = *new Body;
   return solid.body_ ? *solid.body_ : empty;
 }
 
@@ -72,6 +73,18 @@ bool Solid::is_empty() const {
 
 bool Solid::is_bounded() const { return !Access::operand(*this).full_at_infinity; }
 
+std::optional<Box> Solid::box() const { return booleans::rounded_box(Access::body(*this), Access::lattice(*this)); }
+
+Counts Solid::counts() const {
+  const booleans::Canonical form = booleans::canonical(Access::body(*this));
+  return {form.vertices.size(), booleans::edge_count(form), form.face_count()};
+}
+
+double Solid::area() const {
+  const Rational& step = Access::lattice(*this).step;
+  return booleans::approximate_area(Access::body(*this)) * exact::to_double(Rational(step * step));
+}
+
 std::optional<std::string> Solid::volume() const {
   if (!is_bounded()) return std::nullopt;
   const Rational& step = Access::lattice(*this).step;
@@ -89,14 +102,13 @@ Location Solid::classify(const std::array<double, 3>& point) const {
 
 namespace {
 
-/// A trusted operand that crosses itself gives an unspecified result: the empty solid where there is none.
 Solid operated(Rule rule, const Solid& a, const Solid& b, bool complement_b) {
-  if (!(a.grid() == b.grid())) {
-    throw std::invalid_argument("quoin: the operands of an operator must have equal grids, but their steps are " +
-                                a.grid().step() + " and " + b.grid().step() + " (or their origins differ)");
-  }
-  auto result = evaluate_flat(rule, {&a, &b}, complement_b ? 1 : booleans::none, {});
-  return result ? std::move(result).value() : Solid::empty(a.grid());
+  if (!(a.grid() == b.grid()))
+    throw Exception({ErrorCode::inexact_grid,
+                     "the operands of an operator must have equal grids, but their steps are " + a.grid().step() +
+                         " and " + b.grid().step() + " (or their origins differ); use a named function"});
+
+  return evaluate_flat(rule, {&a, &b}, complement_b ? 1 : booleans::none, {}).value();
 }
 
 }  // namespace
@@ -105,7 +117,9 @@ Solid operator+(const Solid& a, const Solid& b) { return operated(Rule::any, a, 
 Solid operator-(const Solid& a, const Solid& b) { return operated(Rule::all, a, b, true); }
 Solid operator&(const Solid& a, const Solid& b) { return operated(Rule::all, a, b, false); }
 Solid operator^(const Solid& a, const Solid& b) { return operated(Rule::odd, a, b, false); }
-Solid operator~(const Solid& a) { return Access::solid(a.grid(), booleans::complement(Access::body(a))); }
+Solid operator~(const Solid& a) { return complement(a); }
+
+Solid complement(const Solid& solid) { return Access::solid(solid.grid(), booleans::complement(Access::body(solid))); }
 
 bool operator==(const Solid& a, const Solid& b) {
   if (Access::identity(a) == Access::identity(b) && a.grid() == b.grid()) return true;

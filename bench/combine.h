@@ -16,7 +16,7 @@ namespace quoin::bench {
 template <class T>
 T must(Result<T> result) {
   if (result) return std::move(result).value();
-  std::fprintf(stderr, "%s: %s\n", result.error().code.c_str(), result.error().message.c_str());
+  std::fprintf(stderr, "%s: %s\n", to_string(result.error().code).c_str(), result.error().message.c_str());
   std::exit(1);
 }
 
@@ -25,9 +25,9 @@ T must(Result<T> result) {
 template <class Evaluate>
 Solid combine(const std::string& operation, const std::vector<Solid>& s, Evaluate evaluate) {
   const std::vector<Expression> all(s.begin(), s.end()), rest(s.begin() + 1, s.end());
-  if (operation == "union") return evaluate(Expression::union_of(all));
-  if (operation == "intersection") return evaluate(Expression::intersection_of(all));
-  if (operation == "difference") return evaluate(all[0] - Expression::union_of(rest));
+  if (operation == "union") return evaluate(Expression::unite(all));
+  if (operation == "intersection") return evaluate(Expression::intersect(all));
+  if (operation == "difference") return evaluate(all[0] - Expression::unite(rest));
   Solid result = s[0];
   for (const Expression& next : rest) result = evaluate(operation == "unions" ? result + next : result - next);
   return result;

@@ -106,7 +106,7 @@ Solid boolean(const Expression& e) {
   return timed(combining, "prepare", [&] { return must(evaluate(e, watched(combining))); });
 }
 
-Expression all_of(const std::vector<Solid>& solids) { return Expression::union_of({solids.begin(), solids.end()}); }
+Expression all_of(const std::vector<Solid>& solids) { return Expression::unite({solids.begin(), solids.end()}); }
 
 using Rational = boost::multiprecision::mpq_rational;
 

@@ -25,7 +25,7 @@ double seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 Solid evaluated(const Model& model, MotionReport* report = nullptr) {
   auto solid = evaluate(model, {.run = {.threads = 1}}, report);
   if (!solid) {
-    std::printf("%s: %s (%s)\n", solid.error().code.c_str(), solid.error().message.c_str(),
+    std::printf("%s: %s (%s)\n", to_string(solid.error().code).c_str(), solid.error().message.c_str(),
                 solid.error().where.c_str());
     std::exit(1);
   }
@@ -41,7 +41,7 @@ int blocks(int count) {
   for (int i = 0; i < 10; ++i) row.push_back(block("1/3", "1", "1/7").translated({std::to_string(i) + "/3", "0", "0"}));
   const std::pair<const char*, Model> models[] = {
       {"two blocks", block("1", "2", "3") + block("1", "2", "3").translated({"1", "0", "0"})},
-      {"row of ten", Model::union_of(row)}};
+      {"row of ten", Model::unite(row)}};
   for (const auto& [name, model] : models) {
     int whole = 0;
     double displacement = 0;
@@ -91,10 +91,10 @@ int baked() {
   int by_planes = 0, steps = 0;
   for (; steps < 360; ++steps) {
     MotionReport report;
-    auto next = move(solid, step, {.run = {.threads = 1}}, &report);
+    auto next = moved(solid, step, {.run = {.threads = 1}}, &report);
     if (!next) {
-      std::printf("step %d: %s: %s (%s)\n", steps + 1, next.error().code.c_str(), next.error().message.c_str(),
-                  next.error().where.c_str());
+      std::printf("step %d: %s: %s (%s)\n", steps + 1, to_string(next.error().code).c_str(),
+                  next.error().message.c_str(), next.error().where.c_str());
       break;
     }
     certified += report.displacement;

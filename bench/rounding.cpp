@@ -12,7 +12,8 @@
 #include <random>
 #include <vector>
 
-#include "rounding/plane_rounding.h"
+#include "rounding/motions/quaternion.h"
+#include "rounding/planes/plane_rounding.h"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "booleans/body.h"
+#include "booleans/body/body.h"
 
 namespace quoin::booleans {
 
 /// What breaks B2 or B3 of a body (body.h) and where, in grid steps; none when it is clean and each face is one piece.
-/// Preconditions: no `fault` (query.h), no two faces that are alone at an edge are coplanar, and every edge lies on two
-/// planes that are not parallel.
+/// Preconditions: no `fault` (body/fault.h), no two faces that are alone at an edge are coplanar, and every edge lies
+/// on two planes that are not parallel.
 ///
 /// The second half of the arrangement decides: the faces are drawn with all that meets them, and a clean body adds
 /// nothing to its own drawing; then the sides of all faces are labelled as in any Boolean.

@@ -4,15 +4,15 @@
 #include <memory>
 #include <optional>
 
-#include "booleans/box_tree.h"
-#include "booleans/query.h"
-#include "grid/stretches.h"
+#include "booleans/body/locate.h"
+#include "booleans/pairs/box_tree.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 namespace {
 
 /// How many operands are combined at a time.
-constexpr std::size_t group_size = 4;
+std::size_t group_size() { return grid::thresholds().group; }
 
 /// A leaf of the expression that may be combined with its like under the same node.
 struct Member {
@@ -23,9 +23,9 @@ struct Member {
 /// Twice the centre.
 std::int64_t middle(const Box& b, std::size_t k) { return std::int64_t{b.low[k]} + b.high[k]; }
 
-/// Orders members so that runs of group_size lie close together: halves again and again along the longest side.
+/// Orders members so that runs of group_size() lie close together: halves again and again along the longest side.
 void sort_in_space(std::span<Member> members) {
-  if (members.size() <= group_size) return;
+  if (members.size() <= group_size()) return;
   std::array<std::int64_t, 3> low{INT64_MAX, INT64_MAX, INT64_MAX}, high{INT64_MIN, INT64_MIN, INT64_MIN};
   for (const Member& m : members)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -35,7 +35,7 @@ void sort_in_space(std::span<Member> members) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (high[i] - low[i] > high[k] - low[k]) k = i;
-  std::size_t half = group_size;
+  std::size_t half = group_size();
   while (2 * half < members.size()) half *= 2;
   const auto split = members.begin() + static_cast<std::ptrdiff_t>(half);
   std::nth_element(members.begin(), split, members.end(), [&](const Member& x, const Member& y) {
@@ -78,7 +78,7 @@ class Reduction {
     drop_repeated_leaves();
     double done = 0;
     for (; find_groups(); done += (1 - done) / 2) {
-      if (run_.stage) run_.stage("combine neighbours");
+      if (run_.stage) run_.stage("parts");
       if (run_.progress) run_.progress(done);
       if (auto combined = combine(); !combined) return combined.error();
       replace();
@@ -97,7 +97,7 @@ class Reduction {
 
   /// One leaf says what equal leaves of a node say; of a symmetric difference every two of them cancel.
   void drop_repeated_leaves() {
-    if (expression_.nodes.size() <= group_size) return;
+    if (expression_.nodes.size() <= group_size()) return;
     std::vector<std::uint8_t> gone(expression_.nodes.size());
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;  // (node, operand, negated) -> leaf
     for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
@@ -116,7 +116,7 @@ class Reduction {
   /// The groups of the next round.
   bool find_groups() {
     groups_.clear();
-    if (expression_.nodes.size() <= group_size) return false;
+    if (expression_.nodes.size() <= group_size()) return false;
     std::map<std::pair<std::uint32_t, bool>, std::vector<Member>> like;  // by node and negation
     for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
       const auto& node = expression_.nodes[i];
@@ -124,11 +124,11 @@ class Reduction {
       if (const auto box = bounds(*operands_[node.operand])) like[{node.parent, node.negated}].push_back({i, *box});
     }
     for (auto& [key, members] : like) {
-      if (members.size() <= group_size || !is_crowded(members)) continue;
+      if (members.size() <= group_size() || !is_crowded(members)) continue;
       sort_in_space(members);
-      for (std::size_t i = 0; i + 1 < members.size(); i += group_size) {  // a last one alone waits for the next round
+      for (std::size_t i = 0; i + 1 < members.size(); i += group_size()) {  // a last one alone waits for the next round
         Group& group = groups_.emplace_back();
-        for (std::size_t j = i; j < std::min(members.size(), i + group_size); ++j)
+        for (std::size_t j = i; j < std::min(members.size(), i + group_size()); ++j)
           group.leaves.push_back(members[j].leaf);
       }
     }

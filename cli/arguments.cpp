@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -17,14 +19,6 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr unsigned max_threads = 1024;
-
-constexpr std::array<std::pair<std::string_view, Format>, 7> formats = {{{"stl", Format::stl},
-                                                                         {"stl-ascii", Format::stl_ascii},
-                                                                         {"obj", Format::obj},
-                                                                         {"off", Format::off},
-                                                                         {"ply", Format::ply},
-                                                                         {"ply-ascii", Format::ply_ascii},
-                                                                         {"quoin", Format::quoin}}};
 
 constexpr std::array<std::pair<std::string_view, Rounding>, 6> roundings = {
     {{"best", Rounding::best},
@@ -43,7 +37,29 @@ struct RawOptions {
   bool version = false;
 };
 
-Error usage(std::string message) { return {.code = "usage", .message = std::move(message)}; }
+/// "a, b or c"
+std::string alternatives(const std::vector<std::string_view>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    list.append(i == 0 ? "" : i + 1 == words.size() ? " or " : ", ");
+    list.append(words[i]);
+  }
+  return list;
+}
+
+std::string format_names() {
+  std::vector<std::string_view> names;
+  for (const FormatInfo& info : formats()) names.push_back(info.name);
+  return alternatives(names);
+}
+
+std::string rounding_names() {
+  std::vector<std::string_view> names;
+  for (const auto& rounding : roundings) names.push_back(rounding.first);
+  return alternatives(names);
+}
+
+Error usage(std::string message) { return {.code = ErrorCode::usage, .message = std::move(message)}; }
 
 bool value_option(const std::string& word) {
   return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format";
@@ -111,13 +127,14 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
   app->add_option("--step", raw.step, "Grid step in model units, e.g. 1/1000 or 0.001; default: fits the operands.");
   app->add_flag("--trust", a.trust, "Skip the proof that no operand crosses itself.");
   app->add_option("--format", raw.format,
-                  "stl, stl-ascii, obj, off, ply, ply-ascii or quoin: what \"-\" is, and files without a known "
-                  "extension; also chooses the ASCII variant for an output .stl or .ply.");
+                  format_names() +
+                      ": what \"-\" is, and files without a known extension; also chooses among the formats of an "
+                      "output's extension.");
   app->add_option("--threads", a.threads, "Worker threads; 0 (default): all. The result is the same for any number.")
       ->check(CLI::Range(0U, max_threads));
   app->add_flag("--json", a.json, "One JSON object on standard output, nothing else there.");
   app->add_flag("--stats", a.stats, "Also say how many signs each rung of the arithmetic decided.");
-  app->add_flag("--quiet", a.quiet, "No summary and no progress.");
+  app->add_flag("--quiet", a.quiet, "No summary, no progress and no warnings.");
   app->add_flag("--version", raw.version, "Version, commit, compiler, format version.");
   return app;
 }
@@ -229,8 +246,7 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     const auto* found =
         std::find_if(roundings.begin(), roundings.end(), [&](const auto& r) { return r.first == *raw.rounding; });
     if (found == roundings.end()) {
-      return usage("--rounding must be best, naive, continued-fraction, lattice, face-local or vertices, not \"" +
-                   *raw.rounding + "\"");
+      return usage("--rounding must be " + rounding_names() + ", not \"" + *raw.rounding + "\"");
     }
     a.rounding = found->second;
     a.rounding_name = *raw.rounding;
@@ -246,12 +262,8 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     a.motion = motion.value();
   }
   if (raw.format) {
-    const auto* found =
-        std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.first == *raw.format; });
-    if (found == formats.end()) {
-      return usage("--format must be stl, stl-ascii, obj, off, ply, ply-ascii or quoin, not \"" + *raw.format + "\"");
-    }
-    a.format = found->second;
+    a.format = format_called(*raw.format);
+    if (!a.format) return usage("--format must be " + format_names() + ", not \"" + *raw.format + "\"");
   }
   if (raw.topology) {
     if (*raw.topology != "manifold" && *raw.topology != "indexed") {
@@ -271,6 +283,27 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
   return {};
 }
 
+/// What a path names once it is written: links are followed, also to what does not exist yet.
+std::filesystem::path destination(std::filesystem::path path) {
+  std::error_code ignored, missing;
+  // As many links as systems follow.
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(path, ignored); ++links) {
+    const std::filesystem::path target = std::filesystem::read_symlink(path, ignored);
+    path = path.parent_path() / target;
+  }
+
+  const std::filesystem::path folder = std::filesystem::canonical(path.parent_path() / ".", missing);
+  return missing ? path.lexically_normal() : folder / path.filename();
+}
+
+/// Whether two outputs name one file. Hard links do, though writing would part them: one of the two solids is not what
+/// their reader expects.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  if (a == b || std::filesystem::equivalent(a, b, ignored)) return true;
+  return a != "-" && b != "-" && destination(a) == destination(b);
+}
+
 /// What no single option can see.
 Result<void> check_streams(const Arguments& a) {
   const auto from_stdin = std::count(a.inputs.begin(), a.inputs.end(), "-");
@@ -279,7 +312,7 @@ Result<void> check_streams(const Arguments& a) {
   const bool unnamed_input = from_stdin > 0 && a.command != Command::eval;
   if ((unnamed_input || a.writes_to_stdout()) && !a.format) return usage("\"-\" needs --format");
   if (a.json && a.writes_to_stdout()) return usage("--json and \"-o -\" cannot share standard output");
-  if (a.outputs.size() == 2 && a.outputs[0] == a.outputs[1]) return usage("the two outputs must differ");
+  if (a.outputs.size() == 2 && same_file(a.outputs[0], a.outputs[1])) return usage("the two outputs are one file");
   const auto empty = [](const std::string& path) { return path.empty(); };
   if (std::any_of(a.inputs.begin(), a.inputs.end(), empty) || std::any_of(a.outputs.begin(), a.outputs.end(), empty)) {
     return usage("a file name is empty");
@@ -305,8 +338,7 @@ Result<Format> Arguments::output_format(const std::string& path) const {
     error.file = path;
     return error;
   }
-  if (named.value() == Format::stl && format == Format::stl_ascii) return Format::stl_ascii;
-  if (named.value() == Format::ply && format == Format::ply_ascii) return Format::ply_ascii;
+  if (format && info_of(*format).extension == info_of(named.value()).extension) return *format;
   return named;
 }
 

@@ -58,7 +58,7 @@ struct Output {
   std::string bytes = {};
 };
 
-Error cancelled_error() { return {.code = "cancelled", .message = "interrupted"}; }
+Error cancelled_error() { return {.code = ErrorCode::cancelled, .message = "interrupted"}; }
 
 /// A stage that ended well just as the signal came counts as interrupted.
 template <class T>
@@ -83,6 +83,28 @@ Result<Info> measured_info(const Solid& solid, Session& session) {
   return unless_cancelled(std::move(info));
 }
 
+/// Says what import could not keep.
+void warn_of_losses(const Arguments& a, const Operands& operands) {
+  if (a.quiet) return;
+  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
+    const ImportReport& report = operands.reports[i];
+    const std::uint64_t count = report.dropped_shells;
+    if (count == 0) continue;
+    const std::string what =
+        count == 1 ? "1 shell is inside out and bounds" : std::to_string(count) + " shells are inside out and bound";
+    print_warning(what + " nothing of the solid: dropped", a.inputs[i], report.dropped_where);
+  }
+}
+
+/// Says what rounding a motion could not keep.
+void warn_of_losses(const Arguments& a, const MotionReport& report) {
+  const std::uint64_t count = report.vanished_primitives;
+  if (a.quiet || count == 0) return;
+  const std::string what = count == 1 ? "1 primitive is" : std::to_string(count) + " primitives are";
+  print_warning(what + " about as thin as a grid step, so that rounding vertices leaves nothing: dropped", a.inputs[0],
+                report.vanished_where);
+}
+
 Result<Operands> load(Session& session, Trust trust) {
   const Arguments& a = session.arguments;
   std::vector<Source> sources;
@@ -99,6 +121,7 @@ Result<Operands> load(Session& session, Trust trust) {
   });
   if (!solids) return solids.error();
   operands.solids = std::move(solids).value();
+  warn_of_losses(a, operands);
   return operands;
 }
 
@@ -145,7 +168,7 @@ Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
     case Command::symmetric_difference:
       return one(symmetric_difference(solids, options));
     case Command::complement:
-      return one(evaluate(Expression::complement_of(solids[0]), options));
+      return one(complement(solids[0]));
     case Command::split: {
       auto parts = split(solids[0], a.plane, options);
       if (!parts) return parts.error();
@@ -153,7 +176,7 @@ Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
     }
     case Command::move: {
       MotionReport report;
-      auto computed = one(move(solids[0], a.motion, {.rounding = a.rounding, .run = options}, &report));
+      auto computed = one(moved(solids[0], a.motion, {.rounding = a.rounding, .run = options}, &report));
       if (computed) computed.value().motion = report;
       return computed;
     }
@@ -176,10 +199,11 @@ Result<void> check_output(const Arguments& a, const std::string& path) {
   // What exists is judged when it is written: it may be a link to another folder, or a device.
   if (::lstat(path.c_str(), &status) == 0) {
     if (!S_ISDIR(status.st_mode)) return {};
-    return Error{.code = "unwritable", .message = "the output is a folder", .file = path};
+    return Error{.code = ErrorCode::unwritable, .message = "the output is a folder", .file = path};
   }
   if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
-  return Error{.code = "unwritable", .message = "the folder of the output is missing or not writable", .file = path};
+  return Error{
+      .code = ErrorCode::unwritable, .message = "the folder of the output is missing or not writable", .file = path};
 }
 
 /// Fills in the bytes of the file, and what rounding did.
@@ -187,13 +211,14 @@ Result<void> format_output(Session& session, Output& output) {
   const Arguments& a = session.arguments;
   const auto format = a.output_format(output.path);
   if (!format) return format.error();
-  if (format.value() == Format::quoin) {
+  const FormatInfo& kind = info_of(format.value());
+  if (kind.is_exact) {
     output.bytes = session.times.measure(Stage::write, [&] { return output.solid.to_quoin(); });
     return {};
   }
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
     const ExportOptions options = {
-        .topology = a.topology, .float32 = format.value() == Format::stl, .run = session.options("exporting")};
+        .topology = a.topology, .float32 = kind.is_float32, .run = session.options("exporting")};
     return output.solid.to_triangles(options, &output.report);
   });
   if (!mesh) {
@@ -201,7 +226,9 @@ Result<void> format_output(Session& session, Output& output) {
     error.file = output.path;
     return error;
   }
-  output.bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
+  auto bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
+  if (!bytes) return bytes.error();
+  output.bytes = std::move(bytes).value();
   return {};
 }
 
@@ -222,6 +249,7 @@ std::string summary(const Output& output) {
     text += "  rounding flipped " + count(report.flipped, "triangle") + " and collapsed " +
             std::to_string(report.collapsed) + "\n";
   }
+  if (report.split_edges > 0) text += "  " + count(report.split_edges, "touching edge") + " split inside\n";
   if (!report.closed) text += "  the written mesh is not closed\n";
   return text;
 }
@@ -329,6 +357,7 @@ Result<void> run_writing(Session& session) {
                      ? evaluate_model(session)
                      : polled_stage(session, Stage::boolean, [&] { return compute(session, operands.value().solids); });
   if (!results) return results.error();
+  if (results.value().motion) warn_of_losses(a, *results.value().motion);
   operands.value().solids.clear();
 
   std::vector<Output> outputs;

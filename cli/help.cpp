@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string_view>
 #include <vector>
 
+#include <quoin/format.h>
 #include <quoin/version.h>
 #include <nlohmann/json.hpp>
 
@@ -56,7 +58,7 @@ Examples:
   quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},
     {Command::info, "info", "Prints counts and exact measures of A.",
      R"(Counts are of the solid (its maximal faces, their edges and corners), not of the triangles in the file.
-Volume is exact, in cubic units of the model.
+Volume is in cubic units of the model: the nearest decimal, then the exact number, of which --json prints every digit.
 Examples:
   quoin info part.stl
   quoin info part.quoin --json
@@ -107,6 +109,22 @@ const CommandHelp* closest_command(const std::string& name) {
   return distance(name, best->name) <= 3 ? best : nullptr;
 }
 
+namespace {
+
+/// The extensions of exact or of other formats, each once: ".stl .obj"
+std::string extensions(bool exact) {
+  std::vector<std::string_view> found;
+  for (const FormatInfo& info : formats())
+    if (info.is_exact == exact && std::find(found.begin(), found.end(), info.extension) == found.end())
+      found.push_back(info.extension);
+
+  std::string text;
+  for (const std::string_view extension : found) text.append(text.empty() ? "" : " ").append(extension);
+  return text;
+}
+
+}  // namespace
+
 std::string general_help() {
   std::string text =
       "quoin: exact Boolean operations on solids bounded by plane faces\n\n"
@@ -117,19 +135,21 @@ std::string general_help() {
     line.resize(24, ' ');
     text += line + command.summary + "\n";
   }
-  text += R"(
-Every command explains itself: quoin COMMAND --help
-
-Files: .stl .obj .off .ply are triangle or polygon meshes; .quoin is the exact solid, without any loss.
+  text += "\nEvery command explains itself: quoin COMMAND --help\n\nFiles: " + extensions(false) +
+          " are triangle or polygon meshes; " + extensions(true) + " is the exact solid, without any loss.\n";
+  text += R"(  Content decides the format where it can, then the extension.
   "-" is standard input or output; --format then says what flows through it.
   An output file appears whole or not at all.
 
-Units: STL, OBJ, OFF and PLY have no unit. Quoin takes their numbers as they are ("model units", often millimetres):
+Units: meshes are read without a unit. Quoin takes their numbers as they are ("model units", often millimetres):
   operands must use the same one. Volumes are in cubic model units.
 
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
   of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.
   The largest move is reported as max_snap. A .quoin operand fixes the grid.
+
+Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
+  among others, since nothing is left of it; --quiet suppresses it.
 
 Examples:
   quoin union body.stl handle.stl -o part.stl

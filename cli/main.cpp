@@ -18,8 +18,8 @@ namespace {
 enum ExitCode { exit_done = 0, exit_refused = 1, exit_usage = 2, exit_defect = 3 };
 
 int exit_code(const Error& error) {
-  if (error.code == "usage") return exit_usage;
-  return error.code == "cancelled" ? exit_interrupted : exit_refused;
+  if (error.code == ErrorCode::usage) return exit_usage;
+  return error.code == ErrorCode::cancelled ? exit_interrupted : exit_refused;
 }
 
 Result<void> run(const std::vector<std::string>& words) {
@@ -36,10 +36,11 @@ int guarded_run(const std::vector<std::string>& words, bool json) {
     print_error(result.error(), json);
     return exit_code(result.error());
   } catch (const std::bad_alloc&) {
-    print_error({.code = "out-of-memory", .message = "there is not enough memory for this"}, json);
+    print_error({.code = ErrorCode::out_of_memory, .message = "there is not enough memory for this"}, json);
     return exit_refused;
   } catch (const std::exception& exception) {
-    print_error({.code = "internal-defect", .message = std::string("internal defect: ") + exception.what()}, json);
+    print_error({.code = ErrorCode::internal_defect, .message = std::string("internal defect: ") + exception.what()},
+                json);
     return exit_defect;
   }
 }

@@ -35,9 +35,44 @@ std::string printable(std::string text) {
   return text;
 }
 
+/// " (<file>, <where>)", of which both may be missing.
+std::string place(const std::string& file, const std::string& where) {
+  const char* comma = file.empty() || where.empty() ? "" : ", ";
+  const std::string inside = file + comma + where;
+  return inside.empty() ? "" : " (" + inside + ")";
+}
+
+void print_line(std::string line) {
+  line = printable(std::move(line)) + "\n";
+  std::fputs(line.c_str(), stderr);
+}
+
 std::string dump(const Json& object) { return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 const char* yes_or_no(bool value) { return value ? "yes" : "no"; }
+
+/// "6,412"
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+/// "p" or "p/q" as it is, or where it is long the beginnings of p and q and the number of all digits.
+std::string shortened(const std::string& number) {
+  constexpr std::size_t longest = 48, shown = 12;
+  if (number.size() <= longest) return number;
+
+  const auto beginning = [](const std::string& part) {
+    return part.size() <= shown ? part : part.substr(0, shown) + "...";
+  };
+  const std::size_t slash = number.find('/');
+  std::string text = beginning(number.substr(0, slash));
+  if (slash != std::string::npos) text += "/" + beginning(number.substr(slash + 1));
+
+  const auto digits = std::count_if(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return text + " (" + grouped(static_cast<std::size_t>(digits)) + " digits, all with --json)";
+}
 
 std::string corner(const std::array<double, 3>& point) {
   return decimal(point[0]) + " " + decimal(point[1]) + " " + decimal(point[2]);
@@ -119,6 +154,8 @@ Json import_json(const std::string& file, const ImportReport& report) {
   object["zero_area_triangles"] = report.zero_area_triangles;
   object["nonplanar_polygons"] = report.nonplanar_polygons;
   object["resolved_crossings"] = report.resolved_crossings;
+  object["dropped_shells"] = report.dropped_shells;
+  object["dropped_where"] = report.dropped_where;
   return object;
 }
 
@@ -126,6 +163,7 @@ Json export_json(const ExportReport& report) {
   Json object;
   object["flipped"] = report.flipped;
   object["collapsed"] = report.collapsed;
+  object["split_edges"] = report.split_edges;
   object["closed"] = report.closed;
   return object;
 }
@@ -154,6 +192,8 @@ void add_motion(Json& object, const MotionReport& report, const std::string& met
   rounding["merged_points"] = report.merged_points;
   rounding["zero_area_triangles"] = report.zero_area_triangles;
   rounding["resolved_crossings"] = report.resolved_crossings;
+  rounding["vanished_primitives"] = report.vanished_primitives;
+  rounding["vanished_where"] = report.vanished_where;
   object["rounding"] = std::move(rounding);
 }
 
@@ -172,8 +212,8 @@ std::string info_text(const Solid& solid, const Info& info) {
       {"shells", std::to_string(info.shells)},     {"genus", std::to_string(info.genus)},
       {"closed", yes_or_no(info.closed)},          {"manifold", yes_or_no(info.manifold)},
       {"bounded", yes_or_no(info.bounded)}};
-  rows.push_back({"volume", info.bounded ? info.volume : "infinite"});
-  if (info.bounded) rows.push_back({"volume, about", decimal(info.volume_approx)});
+  rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
+  if (info.bounded) rows.push_back({"volume, exact", shortened(info.volume)});
   rows.push_back({"area, about", decimal(info.area_approx)});
   rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
   rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});
@@ -186,7 +226,8 @@ std::string import_text(const ImportReport& report) {
                 {"merged points", std::to_string(report.merged_points)},
                 {"zero-area triangles", std::to_string(report.zero_area_triangles)},
                 {"nonplanar polygons", std::to_string(report.nonplanar_polygons)},
-                {"crossings resolved", std::to_string(report.resolved_crossings)}});
+                {"crossings resolved", std::to_string(report.resolved_crossings)},
+                {"shells dropped", std::to_string(report.dropped_shells)}});
 }
 
 std::string statistics_text() {
@@ -221,7 +262,7 @@ std::size_t peak_memory() {
 Result<void> print(const std::string& text) {
   const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (std::fflush(stdout) == 0 && whole) return {};
-  return Error{.code = "unwritable", .message = "cannot write to standard output"};
+  return Error{.code = ErrorCode::unwritable, .message = "cannot write to standard output"};
 }
 
 Result<void> print(const Json& object) { return print(dump(object)); }
@@ -229,17 +270,18 @@ Result<void> print(const Json& object) { return print(dump(object)); }
 void print_error(const Error& error, bool json) {
   if (json) {
     Json object;
-    object["error"] = {{"code", error.code}, {"message", error.message}, {"file", error.file}, {"where", error.where}};
+    object["error"] = {
+        {"code", to_string(error.code)}, {"message", error.message}, {"file", error.file}, {"where", error.where}};
     // The sentence below is said in any case.
     static_cast<void>(print(object));
   }
   std::string sentence = error.message;
   while (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
-  const char* comma = error.file.empty() || error.where.empty() ? "" : ", ";
-  const std::string place = error.file + comma + error.where;
-  std::string line = "quoin: " + sentence + (place.empty() ? "" : " (" + place + ")") + " [" + error.code + "]";
-  line = printable(std::move(line)) + "\n";
-  std::fputs(line.c_str(), stderr);
+  print_line("quoin: " + sentence + place(error.file, error.where) + " [" + to_string(error.code) + "]");
+}
+
+void print_warning(const std::string& sentence, const std::string& file, const std::string& where) {
+  print_line("quoin: warning: " + sentence + place(file, where));
 }
 
 }  // namespace quoin::cli

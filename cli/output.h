@@ -96,5 +96,7 @@ Result<void> print(const std::string& text);
 Result<void> print(const Json& object);
 /// `quoin: <sentence> (<file>, <where>) [code]` on stderr, with `json` also {"error": {...}} on stdout.
 void print_error(const Error& error, bool json);
+/// `quoin: warning: <sentence> (<file>, <where>)` on stderr.
+void print_warning(const std::string& sentence, const std::string& file, const std::string& where);
 
 }  // namespace quoin::cli

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstring>
 
+#include <quoin/process.h>
 #include <unistd.h>
 
 namespace quoin::cli {

@@ -13,7 +13,8 @@ struct Registry {
 };
 
 Registry& registry() {
-  static Registry instance;
+  // Never destroyed: threads, and static objects on their way out, may still count.
+  static Registry& instance = *new Registry;
   return instance;
 }
 
@@ -25,7 +26,6 @@ Counters* detail::registered() {
   r.all.push_back(std::make_unique<Counters>());
   return r.all.back().get();
 }
-
 
 Counters total_counters() {
   Registry& r = registry();

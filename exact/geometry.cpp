@@ -3,6 +3,8 @@
 #include <bit>
 #include <numeric>
 
+#include "exact/filter_bounds.h"
+
 namespace quoin::exact {
 namespace {
 
@@ -80,8 +82,10 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
   // q = floor(2^63 n.top / d.top), in [2^62, 2^64): n.top < 2 d.top.
   std::uint64_t q = static_cast<std::uint64_t>((uint128(n.top) << 63) / d.top);
   const int scale = n.exponent - d.exponent - 63;  // the quotient is about q * 2^scale
-  // The true q lies in [q - 2, q + 3]: each operand is exact to a factor in [1, 1 + 2^-63).
-  const double low = static_cast<double>(q - 2), high = static_cast<double>(q + 3);
+
+  // The true q lies in [q - 2, q + 3]: each operand is exact to a factor in [1, 1 + 2^-63). Proved by
+  // docs/proofs/quotient.g.
+  const double low = static_cast<double>(q - quotient_below), high = static_cast<double>(q + quotient_above);
   double rounded = low;
   if (low != high) {
     // Exact: r = n 2^-scale - q d, or n - q d 2^scale; both sides are below 2^320.
@@ -103,6 +107,7 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
     // q >= 2^61 has at least 8 bits below the 53 kept ones, so its lowest bit can carry "something is left".
     rounded = static_cast<double>(q | (r.sign() != 0 ? 1U : 0U));
   }
+
   // Below 2^251 over below 2^189, both at least 1: |scale| < 320, so the factor and the result are normal.
   const double result = rounded * std::bit_cast<double>(static_cast<std::uint64_t>(scale + 1023) << 52);
   return numerator.negative() ? -result : result;
@@ -168,6 +173,15 @@ Point meet(const GridPoint& u, int128 at_u, const GridPoint& v, int128 at_v) {
 SideValue scaled_value(const Plane& p, const Point& u) {
   return (Coefficient(p.n[0]) * u.x[0] + Coefficient(p.n[1]) * u.x[1]) +
          (Coefficient(p.n[2]) * u.x[2] + Offset(p.d) * u.w);
+}
+
+Plane upright_plane(const GridPoint& p, const GridPoint& q, const Plane& plane) {
+  const std::size_t k = longest_component(plane.n), i = (k + 1) % 3, j = (k + 2) % 3;
+
+  std::array<std::int64_t, 3> n{};
+  n[i] = std::int64_t{q.c[j]} - p.c[j];
+  n[j] = std::int64_t{p.c[i]} - q.c[i];
+  return reduced_plane(n, -(int128(n[i]) * p.c[i] + int128(n[j]) * p.c[j]));
 }
 
 }  // namespace quoin::exact

@@ -31,6 +31,16 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
+/// The index of the component of largest absolute value; of equal ones the first.
+template <class T, std::size_t N>
+std::size_t longest_component(const std::array<T, N>& v) {
+  const auto size = [&v](std::size_t i) -> T { return v[i] < 0 ? T(-v[i]) : v[i]; };
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < N; ++i)
+    if (size(i) > size(k)) k = i;
+  return k;
+}
+
 /// Total order by (a, b, c, d).
 int compare(const Plane& p, const Plane& q);
 /// Of the two orientations, the one whose first non-zero normal component is positive.
@@ -45,6 +55,11 @@ Plane reduced_plane(std::array<std::int64_t, 3> n, int128 d);
 std::optional<Plane> plane_through(const GridPoint& p, const GridPoint& q, const GridPoint& r);
 /// The same, not reduced: for signs, not for identity. Its normal is zero when the points are collinear.
 Plane spanned_plane(const GridPoint& p, const GridPoint& q, const GridPoint& r);
+
+/// The plane through an edge of grid points on the given plane and the axis in which that plane's normal is largest.
+/// That axis is not parallel to the edge (the edge is perpendicular to the normal), and the new plane's normal lacks
+/// that component, so the two planes are not parallel. Its coefficients are edge lengths, at most 2^30.
+Plane upright_plane(const GridPoint& p, const GridPoint& q, const Plane& plane);
 
 /// A point (x, y, z) / w with w > 0: a grid point (w = 1) or the meeting of three planes. Not reduced.
 /// `approximation` holds the correctly rounded coordinates. Rounding is monotone and a function of the point alone:

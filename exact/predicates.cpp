@@ -13,9 +13,10 @@ int turn_filter(const Plane& p, const Plane& q, const Plane& r) {
   const double bc = b[1] * c[2], cb = b[2] * c[1], ca = b[2] * c[0], ac = b[0] * c[2], ab = b[0] * c[1],
                ba = b[1] * c[0];
   const double value = a[0] * (bc - cb) + a[1] * (ca - ac) + a[2] * (ab - ba);
-  const double bound = (16 * unit_roundoff) * (std::fabs(a[0]) * (std::fabs(bc) + std::fabs(cb)) +
-                                               std::fabs(a[1]) * (std::fabs(ca) + std::fabs(ac)) +
-                                               std::fabs(a[2]) * (std::fabs(ab) + std::fabs(ba)));
+
+  const double bound = (turn_bound * unit_roundoff) * (std::fabs(a[0]) * (std::fabs(bc) + std::fabs(cb)) +
+                                                       std::fabs(a[1]) * (std::fabs(ca) + std::fabs(ac)) +
+                                                       std::fabs(a[2]) * (std::fabs(ab) + std::fabs(ba)));
   if (value > bound) return 1;
   if (value < -bound) return -1;
   return 2;
@@ -46,9 +47,10 @@ int projected_filter(int k, const Point& a, const Point& b, const Point& c) {
   const auto &p = a.approximation, &q = b.approximation, &r = c.approximation;
   const double qx = q[i] - p[i], rx = r[i] - p[i], qy = q[j] - p[j], ry = r[j] - p[j];
   const double value = qx * ry - rx * qy;
+
   const double m = largest(p[i], q[i], r[i]), n = largest(p[j], q[j], r[j]);
   const double e = std::max(std::fabs(qx), std::fabs(rx)), f = std::max(std::fabs(qy), std::fabs(ry));
-  const double bound = (16 * unit_roundoff) * ((e + (4 * unit_roundoff) * m) * n + f * m);
+  const double bound = (orientation_bound * unit_roundoff) * ((e + (orientation_tail * unit_roundoff) * m) * n + f * m);
   if (value > bound) return 1;
   if (value < -bound) return -1;
   return 2;
@@ -105,6 +107,19 @@ int orientation_in_plane(const Plane& p, const Point& a, const Point& b, const P
   if (filtered == 2) return orientation_in_plane_exact(p, a, b, c);
   ++counters().filter;
   return p.n[static_cast<std::size_t>(k)] > 0 ? filtered : -filtered;
+}
+
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+  std::array<std::int64_t, 3> u{}, v{}, w{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = std::int64_t{b.c[k]} - a.c[k];
+    v[k] = std::int64_t{c.c[k]} - a.c[k];
+    w[k] = std::int64_t{d.c[k]} - a.c[k];
+  }
+  const exact::int128 det = exact::int128(u[1] * v[2] - u[2] * v[1]) * w[0] +
+                            exact::int128(u[2] * v[0] - u[0] * v[2]) * w[1] +
+                            exact::int128(u[0] * v[1] - u[1] * v[0]) * w[2];
+  return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
 
 }  // namespace quoin::exact

@@ -14,14 +14,12 @@
 #include <cmath>
 
 #include "exact/counters.h"
+#include "exact/filter_bounds.h"
 #include "exact/geometry.h"
 
 namespace quoin::exact {
 
 inline int sign(int128 v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
-
-/// Half an ulp of 1: the relative error of one rounding to nearest.
-inline constexpr double unit_roundoff = 0x1p-53;
 
 /// A plane in doubles, each coefficient rounded to nearest.
 struct PlaneApproximation {
@@ -42,7 +40,8 @@ inline PlaneApproximation approximation(const Plane& p) {
 inline int side_filter(const PlaneApproximation& p, const std::array<double, 3>& u) {
   const double x = p.n[0] * u[0], y = p.n[1] * u[1], z = p.n[2] * u[2];
   const double value = (x + y) + (z + p.d);
-  const double bound = (8 * unit_roundoff) * ((std::fabs(x) + std::fabs(y)) + (std::fabs(z) + std::fabs(p.d)));
+
+  const double bound = (side_bound * unit_roundoff) * ((std::fabs(x) + std::fabs(y)) + (std::fabs(z) + std::fabs(p.d)));
   if (value > bound) return 1;
   if (value < -bound) return -1;
   return 2;
@@ -69,6 +68,12 @@ inline int side(const Plane& p, const Point& u) {
   return side_exact(p, u);
 }
 
+/// Order of two numbers that have correctly rounded approximations: these decide where they differ, else `exactly()`.
+template <class Exactly>
+int compare_rounded(double a, double b, Exactly&& exactly) {
+  return a < b ? -1 : a > b ? 1 : exactly();
+}
+
 /// Order of the k-th coordinates.
 int compare_along(int k, const Point& u, const Point& v);
 /// Order by (x, y, z); 0 exactly for equal points.
@@ -86,6 +91,11 @@ int orientation_in_plane_exact(const Plane& p, const Point& a, const Point& b, c
 /// The orientation of (a, b, c) seen from p's positive side: +1 for counter-clockwise, 0 for collinear points, -1 for
 /// clockwise. Precondition: the three points lie on p.
 int orientation_in_plane(const Plane& p, const Point& a, const Point& b, const Point& c);
+
+/// The sign of the volume of (a, b, c, d): +1 when d lies on the positive side of the plane through a, b, c.
+/// Differences are at most 2^30, so the determinant is below 2^93.
+int orientation(const exact::GridPoint& a, const exact::GridPoint& b, const exact::GridPoint& c,
+                const exact::GridPoint& d);
 
 /// The sign of component k of n_p x n_q. Degree 2, fits 128 bits.
 inline int cross_sign(const Plane& p, const Plane& q, int k) {

@@ -2,6 +2,7 @@
 /// The top rung: unbounded integers and rationals, for doors, volumes and moments. Never on the path of a Boolean.
 #pragma once
 
+#include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
 #include <optional>
 #include <string>
@@ -55,20 +56,23 @@ double to_double(const Rational& v);
 double double_above(const Rational& v);
 /// Correctly rounded to float32.
 float to_float(const Rational& v);
-/// The least common denominator of an array of rationals.
+/// Rationals as integers over their least common denominator.
 template <std::size_t N>
-Integer common_denominator(const std::array<Rational, N>& v) {
-  Integer common = 1;
-  for (const Rational& x : v) common = lcm(common, denominator(x));
-  return common;
-}
-/// v times a multiple of its denominator.
-inline Integer whole(const Rational& v, const Integer& multiple) { return numerator(v) * (multiple / denominator(v)); }
+struct CommonFraction {
+  std::array<Integer, N> numerators;
+  Integer denominator = 1;
+};
 template <std::size_t N>
-std::array<Integer, N> whole(const std::array<Rational, N>& v, const Integer& multiple) {
-  std::array<Integer, N> r;
-  for (std::size_t i = 0; i < N; ++i) r[i] = whole(v[i], multiple);
+CommonFraction<N> over_common_denominator(const std::array<Rational, N>& v) {
+  CommonFraction<N> r;
+  for (const Rational& x : v) r.denominator = lcm(r.denominator, denominator(x));
+  for (std::size_t i = 0; i < N; ++i) r.numerators[i] = numerator(v[i]) * (r.denominator / denominator(v[i]));
   return r;
+}
+/// Whether all are integers.
+template <std::size_t N>
+bool are_whole(const std::array<Rational, N>& v) {
+  return std::all_of(v.begin(), v.end(), [](const Rational& x) { return denominator(x) == 1; });
 }
 
 /// Divided by their greatest common divisor. Precondition: not all are 0.
@@ -79,6 +83,11 @@ std::array<Integer, N> primitive(std::array<Integer, N> v) {
   if (content != 1)
     for (Integer& x : v) x /= content;
   return v;
+}
+/// The coprime integers that are a positive multiple of them. Precondition: not all are 0.
+template <std::size_t N>
+std::array<Integer, N> primitive(const std::array<Rational, N>& v) {
+  return primitive(over_common_denominator(v).numerators);
 }
 
 /// The exact k-th coordinate.

@@ -22,7 +22,7 @@ Model gear(int teeth, int radius, const std::string& height) {
                                           {text(radius - 1), "0.85"}}}},
                                        {"0", "0", height});
   for (int i = 0; i < teeth; ++i) parts.push_back(tooth.rotated({"0", "0", "1"}, "360*" + text(i) + "/" + text(teeth)));
-  return Model::union_of(std::move(parts)) - Model::cylinder("bore", height, "24");
+  return Model::unite(std::move(parts)) - Model::cylinder("bore", height, "24");
 }
 
 /// The screws' places along the flange of the lower half.
@@ -57,28 +57,24 @@ Model housing() {
     // Its corners lie beside those of the hole: what meets by chance does not meet after a motion.
     cuts.push_back(Model::frustum("1", "4", "3", "20").rotated({"0", "0", "1"}, "7").translated({x, y, "5/2"}));
   }
-  return Model::difference_of([&] {
-    std::vector<Model> terms{Model::union_of(std::move(solid))};
-    terms.insert(terms.end(), cuts.begin(), cuts.end());
-    return terms;
-  }());
+  return Model::difference(Model::unite(std::move(solid)), std::move(cuts));
 }
 
 }  // namespace
 
 Model gear_box() {
   // Shafts with flats turn with their gears, and touch nothing else.
-  const Model shaft = Model::intersection_of(
-                          {Model::cylinder("bore", "50", "24"), block("20", "20", "50").translated({"-10", "-2", "0"})})
-                          .translated({"0", "0", "-5"})
-                          .named("shaft");
+  const Model shaft =
+      Model::intersect({Model::cylinder("bore", "50", "24"), block("20", "20", "50").translated({"-10", "-2", "0"})})
+          .translated({"0", "0", "-5"})
+          .named("shaft");
   const auto turned = [&](const Model& gear, const std::string& angle, const char* x) {
     return (gear.translated({"0", "0", "11"}) + shaft).rotated({"0", "0", "1"}, angle).translated({x, "0", "0"});
   };
   const std::vector<Model> parts{housing().named("housing"),
                                  turned(gear(60, 23, "12").named("wheel"), "turn", gear_places[0]),
                                  turned(gear(30, 11, "12").named("pinion"), "6-2*turn", gear_places[1])};
-  return Model::union_of(parts)
+  return Model::unite(parts)
       .named("gear box")
       .with_parameters({{"wall", "4"}, {"bore", "5/2"}, {"turn", "0"}})
       .with_step("1/65536");

@@ -109,7 +109,7 @@ bool ends_with(std::string_view name, std::string_view extension) {
 }
 
 Error unknown_format(const std::string& path) {
-  return {"unknown-format", "The file's name must end in .off or .stl.", path};
+  return {ErrorCode::unknown_format, "The file's name must end in .off or .stl.", path};
 }
 
 // Numbers and words separated by white space; '#' begins a comment.
@@ -150,7 +150,7 @@ class Words {
 };
 
 Result<Mesh> parse_off(std::string_view bytes, const std::string& path) {
-  const Error bad{"bad-syntax", "This is not an OFF file of points and faces.", path};
+  const Error bad{ErrorCode::bad_syntax, "This is not an OFF file of points and faces.", path};
   Words words(bytes);
   std::size_t points = 0, faces = 0, edges = 0;
   if (!words.word("OFF") || !words.number(points) || !words.number(faces) || !words.number(edges)) return bad;
@@ -166,7 +166,7 @@ Result<Mesh> parse_off(std::string_view bytes, const std::string& path) {
     if (!words.number(corners)) return bad;
     for (std::size_t i = 0; i < corners; ++i, previous = corner) {
       if (!words.number(corner)) return bad;
-      if (corner >= points) return Error{"bad-index", "A face names a point that does not exist.", path};
+      if (corner >= points) return Error{ErrorCode::bad_index, "A face names a point that does not exist.", path};
       if (i == 0) first = corner;
       if (i >= 2) mesh.triangles.insert(mesh.triangles.end(), {first, previous, corner});
     }
@@ -184,7 +184,7 @@ struct CornerHash {
 };
 
 Result<Mesh> parse_stl(std::string_view bytes, const std::string& path) {
-  const Error bad{"bad-syntax", "This is not a binary STL file.", path};
+  const Error bad{ErrorCode::bad_syntax, "This is not a binary STL file.", path};
   std::uint32_t count = 0;
   if (bytes.size() < stl_header + sizeof count) return bad;
   std::memcpy(&count, bytes.data() + stl_header, sizeof count);
@@ -218,7 +218,7 @@ Result<void> write_mesh_file(const std::string& path, const Mesh& mesh) {
   } else {
     put_stl(sink, mesh);
   }
-  if (!sink.close()) return Error{"unwritable", "The file cannot be written.", path};
+  if (!sink.close()) return Error{ErrorCode::unwritable, "The file cannot be written.", path};
   return {};
 }
 
@@ -226,7 +226,7 @@ Result<Mesh> read_mesh_file(const std::string& path) {
   const bool off = ends_with(path, ".off");
   if (!off && !ends_with(path, ".stl")) return unknown_format(path);
   std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{"missing-file", "The file cannot be opened.", path};
+  if (!file) return Error{ErrorCode::missing_file, "The file cannot be opened.", path};
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return off ? parse_off(bytes, path) : parse_stl(bytes, path);
 }

@@ -33,7 +33,7 @@ quoin::Mesh sphere(double x, double radius, std::uint32_t n) {
 
 }  // namespace
 
-int main() {
+int main() try {
   using quoin::Solid;
   const quoin::Mesh ball = sphere(0, 1, 24), bite = sphere(0.8, 0.6, 24);
   const quoin::Grid grid = quoin::Grid::with_step("1/1000000").value();
@@ -43,5 +43,9 @@ int main() {
   std::cout << "exact volume: " << part.volume().value_or("unbounded") << '\n';
   const bool law_holds = (part + (a & b)) == a;
   std::cout << "(a - b) + (a & b) == a: " << (law_holds ? "true" : "false") << '\n';
-  return law_holds && part.write("part.stl") ? 0 : 1;
+  part.write("part.stl").value();
+  return law_holds ? 0 : 1;
+} catch (const quoin::Exception& refusal) {
+  std::cerr << refusal.what() << '\n';
+  return 1;
 }

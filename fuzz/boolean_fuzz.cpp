@@ -1,15 +1,20 @@
 /// \file
 /// Laws that hold for every Boolean expression over every solid, checked on scripts.
 #include <map>
+#include <utility>
 
+#include "booleans/body/canonical.h"
+#include "booleans/body/fault.h"
+#include "booleans/body/measure.h"
 #include "booleans/boolean.h"
-#include "booleans/canonical.h"
 #include "booleans/embedding.h"
-#include "booleans/export.h"
-#include "booleans/measure.h"
-#include "booleans/query.h"
+#include "booleans/resolve.h"
+#include "booleans/surface/separated.h"
+#include "booleans/surface/shells.h"
 #include "fuzz/law.h"
 #include "fuzz/script.h"
+#include "grid/lists/thresholds.h"
+#include "tests/booleans/lattice_sets.h"
 
 namespace quoin::fuzz {
 namespace {
@@ -45,41 +50,60 @@ exact::Rational mesh_volume(const Body& body, const Triangulated& mesh) {
   exact::Rational six = 0;
   for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
     const auto t = mesh.triangle(n);
-    std::array<std::array<exact::Rational, 3>, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const exact::Point u = body.point(mesh.source[t[i]]);
-      for (int k = 0; k < 3; ++k) p[i][static_cast<std::size_t>(k)] = exact::coordinate(u, k);
-    }
+    const std::array<RationalPoint, 3> p{position(body, mesh, t[0]), position(body, mesh, t[1]),
+                                         position(body, mesh, t[2])};
     const auto minor = [&](std::size_t i, std::size_t j) { return p[1][i] * p[2][j] - p[1][j] * p[2][i]; };
     six += p[0][0] * minor(1, 2) + p[0][1] * minor(2, 0) + p[0][2] * minor(0, 1);
   }
   return six / 6;
 }
 
+/// How often each directed edge occurs.
+std::map<std::array<std::uint32_t, 2>, int> edge_uses(const Triangulated& mesh) {
+  std::map<std::array<std::uint32_t, 2>, int> uses;
+  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
+    const auto t = mesh.triangle(n);
+    for (std::size_t k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];
+  }
+  return uses;
+}
+
+/// Components and sum of genera of what export writes.
+std::array<std::int64_t, 2> topology(const Body& body) {
+  const Shells s = shells(separated(body, triangulated(body)));
+  return {static_cast<std::int64_t>(s.count), s.genus};
+}
+
 void check_mesh(const Body& body) {
   const Triangulated whole = triangulated(body), apart = separated(body, whole);
-  std::map<std::array<std::uint32_t, 2>, int> balance, uses, use;  // uses: by body vertices; use: by output vertices
-  const auto for_edges = [](const Triangulated& mesh, auto visit) {
-    for (std::size_t n = 0; n < mesh.triangle_count(); ++n)
-      for (std::size_t k = 0; k < 3; ++k) visit(mesh.triangle(n)[k], mesh.triangle(n)[(k + 1) % 3]);
-  };
-  for_edges(whole, [&](std::uint32_t u, std::uint32_t v) {
-    balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1;
-  });
-  for_edges(whole, [&](std::uint32_t u, std::uint32_t v) { ++uses[{whole.source[u], whole.source[v]}]; });
-  for (const auto& [edge, sum] : balance) require(sum == 0, "triangulations are closed");
-  for_edges(apart, [&](std::uint32_t u, std::uint32_t v) { ++use[{u, v}]; });
-  for (const auto& [edge, count] : use) {
-    require(edge[0] != edge[1], "triangles have three corners");
-    const auto reverse = use.find({edge[1], edge[0]});
-    require(reverse != use.end() && reverse->second == count, "a separated mesh is closed");
-    // Two wedges at one edge that hang together around both its ends keep two edges between the same two vertices.
-    const auto touching = uses.find({apart.source[edge[0]], apart.source[edge[1]]});
-    require(count == 1 || touching->second > 1, "a separated mesh has two triangles at every edge that is no contact");
+
+  const auto together = edge_uses(whole), uses = edge_uses(apart);
+  for (const auto& [edge, count] : together) {
+    const auto reverse = together.find({edge[1], edge[0]});
+    require(reverse != together.end() && reverse->second == count, "triangulations are closed");
   }
+  for (const auto& [edge, count] : uses) {
+    require(edge[0] != edge[1], "triangles have three corners");
+    require(count == 1 && uses.count({edge[1], edge[0]}) == 1, "a separated mesh has two triangles at every edge");
+  }
+
   require(mesh_volume(body, whole) == volume(body), "a triangulation keeps the volume");
   require(mesh_volume(body, apart) == volume(body), "a separated mesh keeps the volume");
   require(shells(apart).genus >= 0, "shells have no negative genus");
+}
+
+/// The bytes as a set of tetrahedra that touch wherever they can.
+void check_lattice_set(std::span<const std::uint8_t> bytes) {
+  std::size_t at = 0;
+  const auto set =
+      testing::lattice_set([&](std::uint64_t n) { return (at < bytes.size() ? bytes[at++] : std::uint8_t{0}) % n; });
+  const Body body = testing::boundary(set, 1);
+  if (body.triangles.empty()) return;
+  check_mesh(body);
+
+  const testing::SeparatedTopology counted = testing::separated_topology(set);
+  require(topology(body) == std::array{static_cast<std::int64_t>(counted.shells), counted.genus},
+          "shells and genus are those that counting gives");
 }
 
 void check_result(const Body& body) {
@@ -92,6 +116,7 @@ void check_result(const Body& body) {
   require(canonical(complement(complement(body))) == form, "two complements are none");
   require(combined(Rule::odd, body, again).face_count() == 0, "a body and its canonical form differ nowhere");
   check_mesh(body);
+  require(topology(body) == topology(again), "shells and genus are of the point set");
 }
 
 void check_volumes(const Body& a, const Body& b) {
@@ -113,7 +138,34 @@ void check_resolve(const Script& s) {
   require(canonical(resolved) == canonical(all), "one mesh of all operands resolves to their union");
 }
 
+/// The canonical form of a resolved mesh, with the ways of small inputs or with those of large ones.
+Canonical resolved_form(const Body& mesh, const grid::Thresholds& thresholds) {
+  grid::Thresholds& now = grid::settable_thresholds();
+  const grid::Thresholds before = std::exchange(now, thresholds);
+  std::uint64_t crossings = 0;
+  const Canonical form = canonical(checked(resolve(mesh, crossings)));
+  now = before;
+  return form;
+}
+
+/// Flat regions that cover their plane more than once.
+void check_folded_sheet(std::span<const std::uint8_t> bytes) {
+  std::size_t at = 0;
+  const auto between = [&](std::int64_t low, std::int64_t high) {
+    const std::int64_t b = at < bytes.size() ? bytes[at++] : 0;
+    return low + b % (high - low + 1);
+  };
+  const auto n = static_cast<std::uint32_t>(between(1, 6));
+  const std::int64_t reach = between(1, 8);
+  const auto mesh = testing::folded_sheet(between, n, reach);
+  if (!mesh) return;
+  require(resolved_form(*mesh, grid::Thresholds::smallest()) == resolved_form(*mesh, grid::Thresholds::largest()),
+          "no threshold changes a result");
+}
+
 void run(std::span<const std::uint8_t> bytes) {
+  check_folded_sheet(bytes);
+
   const Script s = script(bytes);
   std::vector<const Body*> operands;
   for (const Body& b : s.operands) operands.push_back(&b);
@@ -123,6 +175,7 @@ void run(std::span<const std::uint8_t> bytes) {
   check_result(at_once);
   check_resolve(s);
   check_volumes(s.operands.front(), s.operands.back());
+  check_lattice_set(bytes);
 }
 
 }  // namespace

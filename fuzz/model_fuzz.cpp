@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "api/access.h"
-#include "booleans/canonical.h"
+#include "booleans/body/canonical.h"
+#include "booleans/body/fault.h"
 #include "booleans/embedding.h"
-#include "booleans/query.h"
 #include "exact/rational.h"
 #include "fuzz/law.h"
 #include "fuzz/model_script.h"
@@ -14,16 +14,17 @@
 namespace quoin::fuzz {
 namespace {
 
-std::string told(const Error& e) { return e.code + ": " + e.message + " (" + e.where + ")"; }
+std::string told(const Error& e) { return to_string(e.code) + ": " + e.message + " (" + e.where + ")"; }
 
 /// The codes that docs/errors.md has for motions and models.
 void check_error(const Error& error) {
-  static constexpr std::array<std::string_view, 12> codes{
-      "bad-number",     "bad-parameter", "bad-primitive", "bad-axis",     "bad-factor",          "bad-plane",
-      "not-a-rotation", "unbounded",     "inexact-grid",  "out-of-range", "inconsistent-motion", "non-finite"};
+  static constexpr std::array<ErrorCode, 12> codes{
+      ErrorCode::bad_number,   ErrorCode::bad_parameter, ErrorCode::bad_primitive,       ErrorCode::bad_axis,
+      ErrorCode::bad_factor,   ErrorCode::bad_plane,     ErrorCode::not_a_rotation,      ErrorCode::unbounded,
+      ErrorCode::inexact_grid, ErrorCode::out_of_range,  ErrorCode::inconsistent_motion, ErrorCode::non_finite};
   require(std::find(codes.begin(), codes.end(), error.code) != codes.end(),
           "errors are those documented:", told(error));
-  require(!error.message.empty(), "an error has a message:", error.code);
+  require(!error.message.empty(), "an error has a message:", to_string(error.code));
 }
 
 void check_solid(const Solid& solid) {
@@ -66,7 +67,7 @@ Result<Solid> evaluated(const Model& model, const ModelScript& s, unsigned threa
 }
 
 Result<Solid> moved(const Solid& solid, const Motion& motion, const ModelScript& s, MotionReport& report) {
-  auto result = move(solid, motion, {.rounding = s.options.rounding, .run = {.threads = 1}}, &report);
+  auto result = moved(solid, motion, {.rounding = s.options.rounding, .run = {.threads = 1}}, &report);
   if (!result) {
     check_error(result.error());
     return result;
@@ -98,7 +99,8 @@ void check_exact(const Solid& solid, const ModelScript& s) {
   const Motion motion = exact_motion(s, solid.grid());
   MotionReport report;
   const auto there = moved(solid, motion, s, report);
-  if (!there) return require(there.error().code == "out-of-range", "an exact motion succeeds:", told(there.error()));
+  if (!there)
+    return require(there.error().code == ErrorCode::out_of_range, "an exact motion succeeds:", told(there.error()));
   require(report.displacement_bound == "0" && report.displacement == 0, "an exact motion displaces nothing");
   require(there.value().volume() == solid.volume(), "an exact motion keeps the volume");
   const auto back = moved(there.value(), motion.inverse(), s, report);

@@ -341,18 +341,19 @@ class ModelScriptReader {
     }
     switch (b % 8 + (b >> 5 & 1) * 8) {
       case 4:
-        return {Model::intersection_of(terms), weight};
+        return {Model::intersect(terms), weight};
       case 5:
       case 13:
-        return {Model::difference_of(terms), weight};
+        if (terms.empty()) return {Model::unite({}), weight};
+        return {Model::difference(terms[0], {terms.begin() + 1, terms.end()}), weight};
       case 6:
-        return {Model::symmetric_difference_of(terms), weight};
+        return {Model::symmetric_difference(terms), weight};
       case 12:
-        return {Model::complement_of(Model::union_of(terms)), weight};
+        return {Model::complement(Model::unite(terms)), weight};
       case 14:
-        return {Model::union_of(terms).named("part").with_parameters({{"a", "1"}}), weight};
+        return {Model::unite(terms).named("part").with_parameters({{"a", "1"}}), weight};
       default:
-        return {Model::union_of(terms), weight};
+        return {Model::unite(terms), weight};
     }
   }
 

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "api/formula.h"
-#include "api/model_node.h"
+#include "api/model/formula.h"
+#include "api/model/node.h"
 #include "fuzz/law.h"
 #include "io/json.h"
 
@@ -47,9 +47,9 @@ void check_place(const std::string& place, std::string_view text) {
 }
 
 void check_refusal(const Error& error, std::string_view text) {
-  require(!error.code.empty(), "an error has a code");
-  require(!error.message.empty(), "an error has a message:", error.code);
-  if (error.code == "bad-model") check_place(error.where, text);
+  require(error.code != ErrorCode::internal_defect, "an error has a code");
+  require(!error.message.empty(), "an error has a message:", to_string(error.code));
+  if (error.code == ErrorCode::bad_model) check_place(error.where, text);
 }
 
 void add_texts(const ModelValue& value, std::vector<std::string>& texts) {
@@ -108,10 +108,10 @@ std::vector<std::string> values(const Contents& c) {
     const auto value = parameters.value(formula);
     if (!value) {
       require(!value.error().message.empty(), "an error of a formula has a message:", formula);
-      require(value.error().code == "bad-number" || value.error().code == "bad-parameter",
-              "an error of a formula has one of two codes:", value.error().code);
+      require(value.error().code == ErrorCode::bad_number || value.error().code == ErrorCode::bad_parameter,
+              "an error of a formula has one of two codes:", to_string(value.error().code));
     }
-    r.push_back(value ? exact::to_string(value.value()) : value.error().code);
+    r.push_back(value ? exact::to_string(value.value()) : to_string(value.error().code));
   }
   return r;
 }

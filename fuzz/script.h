@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "booleans/expression.h"
+#include "booleans/classify/expression.h"
 #include "tests/booleans/shapes.h"
 
 namespace quoin::fuzz {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <memory>
 
-#include "grid/stretches.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::grid {
 

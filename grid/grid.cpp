@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "grid/snap.h"
 
 namespace quoin::grid {
 
@@ -76,12 +79,23 @@ bool halfway_between_floats(double v, float rounded) {
 Result<Lattice> fitting_lattice(const std::array<double, 3>& low, const std::array<double, 3>& high) {
   double farthest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!std::isfinite(low[k]) || !std::isfinite(high[k]))
-      return Error{"non-finite", "a box with an infinite or undefined coordinate fits no grid"};
+    if (!std::isfinite(low[k]) || !std::isfinite(high[k])) {
+      const bool is_low = !std::isfinite(low[k]);
+      return Error{ErrorCode::non_finite,
+                   "a box with an infinite or undefined coordinate fits no grid",
+                   {},
+                   std::string(is_low ? "low" : "high") + " corner " + describe_point((is_low ? low : high).data())};
+    }
     assert(low[k] <= high[k]);
     farthest = std::max({farthest, std::fabs(low[k]), std::fabs(high[k])});
   }
-  if (farthest > 0x1p1020) return Error{"out-of-range", "coordinates beyond 2^1020 fit no grid; scale the model down"};
+  if (farthest > 0x1p1020) {
+    const bool is_low = std::any_of(low.begin(), low.end(), [](double x) { return std::fabs(x) > 0x1p1020; });
+    return Error{ErrorCode::out_of_range,
+                 "coordinates beyond 2^1020 fit no grid; scale the model down",
+                 {},
+                 std::string(is_low ? "low" : "high") + " corner " + describe_point((is_low ? low : high).data())};
+  }
   Lattice lattice;
   if (farthest == 0) return lattice;
   const long distance_exponent = ceil_log2(exact::to_rational(farthest)) - fitting_bits;
@@ -111,8 +125,7 @@ Rational model_coordinate(const Lattice& lattice, std::int32_t grid_coordinate, 
 std::optional<Affine> affine(const Lattice& lattice) {
   assert(lattice.step > 0);
   const std::array v{lattice.origin[0], lattice.origin[1], lattice.origin[2], lattice.step};
-  const Integer common = exact::common_denominator(v);
-  const std::array<Integer, 4> scaled = exact::whole(v, common);
+  const auto [scaled, common] = exact::over_common_denominator(v);
   // Twos move into the exponent.
   auto twos = lsb(scaled[3]);
   for (std::size_t k = 0; k < 3; ++k)
@@ -192,7 +205,7 @@ std::optional<exact::Plane> grid_plane(const Lattice& lattice, const std::array<
     p[3] += model_plane[k] * lattice.origin[k];
   }
   if (zero) return std::nullopt;
-  const std::array<Integer, 4> n = exact::primitive(exact::whole(p, exact::common_denominator(p)));
+  const std::array<Integer, 4> n = exact::primitive(p);
   const Integer limit = exact::coefficient_limit, offset_limit = exact::to_integer(exact::offset_limit);
   exact::Plane r{};
   for (std::size_t k = 0; k < 3; ++k) {

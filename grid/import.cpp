@@ -8,9 +8,10 @@
 
 #include "grid/balance.h"
 #include "grid/cut.h"
+#include "grid/lists/stretches.h"
 #include "grid/seal.h"
+#include "grid/shells.h"
 #include "grid/snap.h"
-#include "grid/stretches.h"
 #include "grid/weld.h"
 
 namespace quoin::grid {
@@ -52,27 +53,41 @@ bool all_below(std::span<const std::uint32_t> values, std::size_t limit) {
 
 /// "bad-index" and "out-of-range" for what cannot be addressed.
 Result<void> check_indices(const Faces& f) {
-  if (f.points.size() % 3 != 0) return Error{"bad-index", "the number of coordinates is not a multiple of 3"};
+  if (f.points.size() % 3 != 0)
+    return Error{ErrorCode::bad_index,
+                 "the number of coordinates is not a multiple of 3",
+                 {},
+                 "vertex " + std::to_string(f.points.size() / 3)};
   if (f.triangles && f.corners.size() % 3 != 0)
-    return Error{"bad-index", "the number of triangle corners is not a multiple of 3"};
+    return Error{ErrorCode::bad_index,
+                 "the number of triangle corners is not a multiple of 3",
+                 {},
+                 "face " + std::to_string(f.corners.size() / 3)};
   const std::size_t n = f.points.size() / 3;
   if (n > most_points || f.corners.size() > most_corners)
-    return Error{"out-of-range", "a mesh of more than 2^31 points or corners cannot be imported"};
+    return Error{ErrorCode::out_of_range, "a mesh of more than 2^31 points or corners cannot be imported"};
   if (!f.triangles)
     for (std::size_t i = 0; i < f.starts.size(); ++i)
       if (f.starts[i] > f.corners.size() || (i > 0 && f.starts[i] < f.starts[i - 1]))
-        return Error{
-            "bad-index", "polygon starts must increase and stay within the corners", {}, "start " + std::to_string(i)};
+        return Error{ErrorCode::bad_index,
+                     "polygon starts must increase and stay within the corners",
+                     {},
+                     "start " + std::to_string(i)};
   if (all_below(f.corners, n)) return {};
   for (std::size_t i = 0; i < f.count(); ++i)
     for (std::uint32_t v : f.face(i))
       if (v >= n)
         return Error{
-            "bad-index",
+            ErrorCode::bad_index,
             "face " + std::to_string(i) + " names vertex " + std::to_string(v) + ", but there are " + std::to_string(n),
             {},
             "face " + std::to_string(i)};
-  return Error{"bad-index", "a corner outside of all polygons names a vertex that does not exist"};
+
+  const auto stray = std::find_if(f.corners.begin(), f.corners.end(), [&](std::uint32_t v) { return v >= n; });
+  return Error{ErrorCode::bad_index,
+               "a corner outside of all polygons names a vertex that does not exist",
+               {},
+               "corner " + std::to_string(stray - f.corners.begin())};
 }
 
 /// What is known of triangles.
@@ -171,9 +186,9 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
                          [&](const OpenEdge& e, const auto& wanted) { return key(e.from, e.to) < wanted; });
     return found != open.end() && found->from == a && found->to == b;
   };
-  Error error{"open-boundary", "the surface is not closed: " + std::to_string(count) +
-                                   (count == 1 ? " edge is" : " edges are") +
-                                   " not balanced by the reverse edge of a neighbouring face"};
+  Error error{ErrorCode::open_boundary, "the surface is not closed: " + std::to_string(count) +
+                                            (count == 1 ? " edge is" : " edges are") +
+                                            " not balanced by the reverse edge of a neighbouring face"};
   for (std::size_t i = 0; i < f.count(); ++i) {
     const auto face = f.face(i);
     for (std::size_t j = 0; j < face.size(); ++j) {
@@ -186,6 +201,19 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
   }
   assert(false);
   return error;
+}
+
+/// Names the shell of the most negative volume.
+Error inside_out(const ImportedMesh& mesh, const Lattice& lattice) {
+  const Shells parts = shells(mesh.points, mesh.triangles);
+  const auto worst = std::min_element(parts.six_volumes.begin(), parts.six_volumes.end());
+  const auto shell = static_cast<std::uint32_t>(worst - parts.six_volumes.begin());
+  const GridPoint corner = lowest_corner(parts, shell, mesh.points, mesh.triangles);
+
+  return {ErrorCode::inside_out,
+          "the enclosed volume is negative: the faces must be counter-clockwise seen from outside",
+          {},
+          "shell at " + describe_point(lattice, corner)};
 }
 
 /// Snaps, welds and collects. `ids`: what the input's points became, empty when they are as they were.
@@ -220,9 +248,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
   if (!seal(mesh.points, mesh.triangles, all.slivers) ||
       !(balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size())))
     return open_boundary(f, ids, mesh);
-  if (all.volume < 0 && facing == Facing::out)
-    return Error{"inside-out",
-                 "the enclosed volume is negative: the faces must be counter-clockwise seen from outside"};
+  if (all.volume < 0 && facing == Facing::out) return inside_out(mesh, lattice);
   return Result<ImportedMesh>(std::move(mesh));
 }
 

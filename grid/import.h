@@ -45,7 +45,7 @@ enum class Facing {
 /// A coordinate goes to the nearest grid coordinate, ties to even. Every vertex is snapped, used or not.
 /// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work; also for more than 2^31 points
 /// or corners), "bad-index" (also for broken `starts`), "open-boundary" (`where` is one edge with its ends in model
-/// units and its face), "inside-out".
+/// units and its face), "inside-out" (`where` is the lowest corner of the shell of the most negative volume).
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
                                      std::span<const std::uint32_t> corners, const Lattice& lattice);
 /// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".

@@ -7,7 +7,7 @@
 
 #include "exact/ladder.h"
 #include "exact/predicates.h"
-#include "grid/stretches.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::grid {
 
@@ -209,7 +209,7 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i])) {
       const std::string vertex = std::to_string(i / 3);
-      return {"non-finite",
+      return {ErrorCode::non_finite,
               "vertex " + vertex + " has an infinite or undefined coordinate",
               {},
               "vertex " + vertex + " " + describe_point(&points[i - i % 3])};
@@ -217,7 +217,7 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
   std::size_t i = 0;
   while (in_world(lattice, points[i], i % 3)) ++i;
   const std::string vertex = std::to_string(i / 3);
-  return {"out-of-range",
+  return {ErrorCode::out_of_range,
           "vertex " + vertex + " lies more than 2^29 grid steps from the origin; a step of " +
               exact::to_string(sufficient_step(points, lattice)) + " would do (it is " +
               exact::to_string(lattice.step) + ")",
@@ -229,6 +229,13 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
 
 std::string describe_point(const double* point) {
   return "(" + text(point[0]) + ", " + text(point[1]) + ", " + text(point[2]) + ")";
+}
+
+std::string describe_point(const Lattice& lattice, const GridPoint& point) {
+  const Rounder rounder(lattice);
+  const std::array<double, 3> p{rounder.to_double(point[0], 0), rounder.to_double(point[1], 1),
+                                rounder.to_double(point[2], 2)};
+  return describe_point(p.data());
 }
 
 Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {

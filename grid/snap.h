@@ -24,5 +24,7 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice);
 
 /// "(x, y, z)", each number the shortest that reads back to the same double.
 std::string describe_point(const double* point);
+/// The same for a grid point, in model units, correctly rounded.
+std::string describe_point(const Lattice& lattice, const exact::GridPoint& point);
 
 }  // namespace quoin::grid

@@ -36,11 +36,12 @@ std::string reason(int code) { return std::generic_category().message(code); }
 
 Error unreadable(const std::string& path, int code) {
   const bool missing = code == ENOENT || code == ENOTDIR;
-  return Error{missing ? "missing-file" : "unreadable", "cannot read the file: " + reason(code), path};
+  return Error{missing ? ErrorCode::missing_file : ErrorCode::unreadable, "cannot read the file: " + reason(code),
+               path};
 }
 
 Error unwritable(const std::string& path, int code) {
-  return Error{"unwritable", "cannot write the file: " + reason(code), path};
+  return Error{ErrorCode::unwritable, "cannot write the file: " + reason(code), path};
 }
 
 /// A descriptor, closed at the end of its scope if it is owned.

@@ -1,5 +1,6 @@
 /// \file
-/// One reader and one writer a format; mesh.cpp chooses among them. Contracts: io/mesh.h.
+/// The table of formats. A new format is a row of it (formats.cpp), an enumerator (quoin/format.h) and a file with its
+/// reader and writer, whose contracts are in io/mesh.h; its line in the README is asked for by a test.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,30 @@
 #include <string_view>
 
 #include "io/mesh.h"
+#include "quoin/format.h"
 
 namespace quoin::io {
+
+/// How content shows its format.
+enum class Evidence {
+  none,    // it does not: only a name tells
+  word,    // the first word tells, whatever the name; a byte order mark before it is passed over
+  length,  // it has the length that it declares. This may be chance: a name with another extension weighs more
+};
+
+struct FormatRow {
+  FormatInfo info;
+  Evidence evidence;
+  /// Whether the bytes show this format; none without evidence.
+  bool (*is_shown)(std::string_view bytes);
+  /// None for exact formats.
+  Result<PolygonMesh> (*read)(std::string_view bytes);
+  std::string (*write)(std::span<const double> points, std::span<const std::uint32_t> triangles);
+};
+
+/// One row a format, in the order of the enumerators. The first row that fits is taken.
+std::span<const FormatRow> format_rows();
+const FormatRow& row_of(Format format);
 
 /// Whether the bytes are a complete binary STL: 84 + 50 n bytes for the n they declare.
 bool is_exact_binary_stl(std::string_view bytes);

@@ -96,7 +96,7 @@ class Builder : public nlohmann::json_sax<Library> {
 
  private:
   bool fail(std::string message) {
-    if (!error) error = Error{"bad-model", std::move(message), {}, here().place()};
+    if (!error) error = Error{ErrorCode::bad_model, std::move(message), {}, here().place()};
     return false;
   }
 
@@ -203,7 +203,7 @@ Result<Json> read_json(std::string_view text) {
   // The parser would take a byte 0 as the end.
   if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
     for (const char c : text.substr(0, zero + 1)) position.advance(c);
-    return Error{"bad-model",
+    return Error{ErrorCode::bad_model,
                  "the text is not JSON: a byte 0",
                  {},
                  Json{.line = position.line, .column = position.column}.place()};
@@ -211,7 +211,7 @@ Result<Json> read_json(std::string_view text) {
   const bool good =
       Library::sax_parse(Tracked(text.data(), &position), Tracked(text.data() + text.size(), &position), &builder);
   if (builder.error) return *builder.error;
-  if (!good) return Error{"bad-model", "the text is not JSON"};
+  if (!good) return Error{ErrorCode::bad_model, "the text is not JSON"};
   return std::move(builder.root);
 }
 

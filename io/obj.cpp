@@ -24,7 +24,8 @@ class ObjReader {
       : in_(text, {.hash_comments = true, .line_continuation = true}), has_zero_(text.find('\0') != text.npos) {}
 
   Result<PolygonMesh> read() {
-    if (has_zero_) return Error{"unknown-format", "this is not an OBJ text: it holds zero bytes", {}, "line 1"};
+    if (has_zero_)
+      return Error{ErrorCode::unknown_format, "this is not an OBJ text: it holds zero bytes", {}, "line 1"};
     for (in_.skip_space(); !in_.at_end(); in_.skip_space()) {
       if (!statement()) return in_.take_error();
       in_.skip_line();
@@ -52,7 +53,7 @@ class ObjReader {
       if (!in_.number(coordinate)) return false;
       mesh_.points.push_back(coordinate);
     }
-    return point_count() <= max_count || in_.fail("absurd-count", "the file has too many vertices");
+    return point_count() <= max_count || in_.fail(ErrorCode::absurd_count, "the file has too many vertices");
   }
 
   bool face(const char* place) {
@@ -61,8 +62,8 @@ class ObjReader {
       if (!corner()) return false;
     }
     in_.mark_at(place);
-    if (mesh_.corners.size() - start < 3) return in_.fail("bad-syntax", "a face needs at least 3 corners");
-    if (mesh_.corners.size() > max_count) return in_.fail("absurd-count", "the faces have too many corners");
+    if (mesh_.corners.size() - start < 3) return in_.fail(ErrorCode::bad_syntax, "a face needs at least 3 corners");
+    if (mesh_.corners.size() > max_count) return in_.fail(ErrorCode::absurd_count, "the faces have too many corners");
     mesh_.starts.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
     return true;
   }
@@ -92,11 +93,11 @@ class ObjReader {
     return true;
   }
 
-  bool bad_corner() { return in_.fail("bad-syntax", "a corner is written v, v/vt, v//vn or v/vt/vn"); }
+  bool bad_corner() { return in_.fail(ErrorCode::bad_syntax, "a corner is written v, v/vt, v//vn or v/vt/vn"); }
 
   bool bad_index(const char* place) {
     in_.mark_at(place);
-    return in_.fail("bad-index", "a face names a vertex that does not exist");
+    return in_.fail(ErrorCode::bad_index, "a face names a vertex that does not exist");
   }
 
   bool check_largest_index() {
@@ -108,7 +109,8 @@ class ObjReader {
   bool check_is_obj() {
     if (foreign_ == nullptr || !mesh_.points.empty()) return true;
     in_.mark_at(foreign_);
-    return in_.fail("unknown-format", "this is not an OBJ text: it has no vertex and a statement OBJ does not know");
+    return in_.fail(ErrorCode::unknown_format,
+                    "this is not an OBJ text: it has no vertex and a statement OBJ does not know");
   }
 
   Scanner in_;

@@ -1,4 +1,4 @@
-// OFF in text form, three-dimensional: one vertex or face a line.
+// OFF in text form, three-dimensional: one vertex or face a line, or numbers that run on over the ends of lines.
 #include <algorithm>
 #include <limits>
 
@@ -27,9 +27,14 @@ std::size_t header_length(std::string_view word) {
   return at == word.size() || (word[at] >= '0' && word[at] <= '9') ? at : 0;
 }
 
+enum class Layout {
+  lines,   // a vertex or face a line; what stands behind its numbers (normals, colours) is passed over
+  running  // lines end anywhere, and nothing stands behind the numbers
+};
+
 class OffReader {
  public:
-  explicit OffReader(std::string_view text) : in_(text, off_options) {}
+  OffReader(std::string_view text, Layout layout) : in_(text, off_options), layout_(layout) {}
 
   Result<PolygonMesh> read() {
     if (!header() || !counts() || !vertices() || !faces() || !end()) return in_.take_error();
@@ -41,19 +46,28 @@ class OffReader {
     in_.skip_space();
     const std::string_view word = in_.word();
     const std::size_t length = header_length(word);
-    if (length == 0) return in_.fail("unknown-format", "OFF, COFF, NOFF, STOFF or the like is due here");
+    if (length == 0) return in_.fail(ErrorCode::unknown_format, "OFF, COFF, NOFF, STOFF or the like is due here");
     in_.move_to(word.data() + length);
     const char* behind = in_.position();
-    if (in_.word() == "BINARY") return in_.fail("unknown-format", "binary OFF is not read; write it as text");
+    if (in_.word() == "BINARY") return in_.fail(ErrorCode::unknown_format, "binary OFF is not read; write it as text");
     in_.move_to(behind);
     return true;
+  }
+
+  /// Between the numbers of a vertex or face.
+  void skip_within() {
+    if (layout_ == Layout::running) in_.skip_space();
+  }
+  /// Behind them.
+  void skip_rest() {
+    if (layout_ == Layout::lines) in_.skip_line();
   }
 
   bool count(std::uint64_t& out) {
     std::int64_t value = 0;
     if (!in_.integer(value)) return false;
     if (value < 0 || static_cast<std::uint64_t>(value) > max_count) {
-      return in_.fail("absurd-count", "this count is negative or beyond 32 bits");
+      return in_.fail(ErrorCode::absurd_count, "this count is negative or beyond 32 bits");
     }
     out = static_cast<std::uint64_t>(value);
     return true;
@@ -66,8 +80,9 @@ class OffReader {
     in_.skip_line();
     // The last line may lack its end.
     if ((vertex_count_ + face_count_) * min_line_size > in_.remaining() + 1) {
-      return in_.fail("absurd-count", "the file is too short for " + std::to_string(vertex_count_) + " vertices and " +
-                                          std::to_string(face_count_) + " faces: truncated, or the counts are wrong");
+      return in_.fail(ErrorCode::absurd_count, "the file is too short for " + std::to_string(vertex_count_) +
+                                                   " vertices and " + std::to_string(face_count_) +
+                                                   " faces: truncated, or the counts are wrong");
     }
     // Every number takes a digit and a separator.
     const std::uint64_t max_numbers = in_.remaining() / 2 + 1;
@@ -83,10 +98,11 @@ class OffReader {
       in_.skip_space();
       for (int k = 0; k < 3; ++k) {
         double coordinate = 0;
+        skip_within();
         if (!in_.number(coordinate)) return false;
         mesh_.points.push_back(coordinate);
       }
-      in_.skip_line();
+      skip_rest();
     }
     return true;
   }
@@ -95,7 +111,7 @@ class OffReader {
     for (std::uint64_t i = 0; i < face_count_; ++i) {
       in_.skip_space();
       if (!face()) return false;
-      in_.skip_line();
+      skip_rest();
     }
     return true;
   }
@@ -104,15 +120,16 @@ class OffReader {
   bool face() {
     std::uint64_t corner_count = 0;
     if (!count(corner_count)) return false;
-    if (corner_count < 3) return in_.fail("bad-syntax", "a face needs at least 3 corners");
+    if (corner_count < 3) return in_.fail(ErrorCode::bad_syntax, "a face needs at least 3 corners");
     if (corner_count > in_.remaining() / 2 || mesh_.corners.size() + corner_count > max_count) {
-      return in_.fail("absurd-count", "the file is too short for a face of so many corners");
+      return in_.fail(ErrorCode::absurd_count, "the file is too short for a face of so many corners");
     }
     for (std::uint64_t i = 0; i < corner_count; ++i) {
       std::int64_t index = 0;
+      skip_within();
       if (!in_.integer(index)) return false;
       if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
-        return in_.fail("bad-index", "a face names a vertex that does not exist");
+        return in_.fail(ErrorCode::bad_index, "a face names a vertex that does not exist");
       }
       mesh_.corners.push_back(static_cast<std::uint32_t>(index));
     }
@@ -124,10 +141,11 @@ class OffReader {
   bool end() {
     in_.skip_space();
     in_.mark();
-    return in_.at_end() || in_.fail("bad-syntax", "the file goes on behind the last declared face");
+    return in_.at_end() || in_.fail(ErrorCode::bad_syntax, "the file goes on behind the last declared face");
   }
 
   Scanner in_;
+  Layout layout_;
   PolygonMesh mesh_;
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
@@ -141,7 +159,14 @@ bool looks_like_off(std::string_view bytes) {
   return header_length(scanner.word()) != 0;
 }
 
-Result<PolygonMesh> read_off(std::string_view bytes) { return OffReader(bytes).read(); }
+Result<PolygonMesh> read_off(std::string_view bytes) {
+  Result<PolygonMesh> mesh = OffReader(bytes, Layout::lines).read();
+  if (mesh) return mesh;
+
+  // A text that fits the counts to its last number was meant so; otherwise the error is that of its lines.
+  Result<PolygonMesh> running = OffReader(bytes, Layout::running).read();
+  return running ? running : mesh;
+}
 
 std::string write_off(std::span<const double> points, std::span<const std::uint32_t> triangles) {
   std::string out = "OFF\n";

@@ -27,7 +27,7 @@ class AsciiBody {
   /// A word and what separates it from the next.
   static std::uint64_t min_size(PlyType) { return 2; }
   void mark() { in_.mark(); }
-  bool fail(std::string code, std::string message) { return in_.fail(std::move(code), std::move(message)); }
+  bool fail(ErrorCode code, std::string message) { return in_.fail(code, std::move(message)); }
   Error take_error() { return in_.take_error(); }
 
   bool real(PlyType, double& out) {
@@ -43,7 +43,7 @@ class AsciiBody {
   bool skip(PlyType, std::uint64_t values) {
     for (std::uint64_t i = 0; i < values; ++i) {
       in_.skip_space();
-      if (in_.word().empty()) return in_.fail("truncated", "the text ends where more is declared");
+      if (in_.word().empty()) return in_.fail(ErrorCode::truncated, "the text ends where more is declared");
     }
     return true;
   }
@@ -51,7 +51,7 @@ class AsciiBody {
   bool end() {
     in_.skip_space();
     in_.mark();
-    return in_.at_end() || in_.fail("bad-syntax", "the file goes on behind the last declared element");
+    return in_.at_end() || in_.fail(ErrorCode::bad_syntax, "the file goes on behind the last declared element");
   }
 
  private:
@@ -67,8 +67,8 @@ class BinaryBody {
   std::uint64_t remaining() const { return bytes_.size() - at_; }
   static std::uint64_t min_size(PlyType type) { return ply_size(type); }
   void mark() { mark_ = at_; }
-  bool fail(std::string code, std::string message) {
-    error_ = Error{std::move(code), std::move(message), {}, "byte " + std::to_string(mark_)};
+  bool fail(ErrorCode code, std::string message) {
+    error_ = Error{code, std::move(message), {}, "byte " + std::to_string(mark_)};
     return false;
   }
   Error take_error() { return std::move(error_); }
@@ -85,7 +85,7 @@ class BinaryBody {
       default:
         out = static_cast<double>(load_integer(type));
     }
-    return std::isfinite(out) || fail("non-finite", "a coordinate is not a finite number");
+    return std::isfinite(out) || fail(ErrorCode::non_finite, "a coordinate is not a finite number");
   }
 
   /// Floating-point values count when they are integers.
@@ -95,7 +95,7 @@ class BinaryBody {
       if (!real(type, value)) return false;
       // The bound keeps the conversion defined; all valid indices and counts are below it.
       const bool good = std::trunc(value) == value && std::fabs(value) < 9007199254740992.0;
-      if (!good) return fail("bad-number", "this is not an integer");
+      if (!good) return fail(ErrorCode::bad_number, "this is not an integer");
       out = static_cast<std::int64_t>(value);
       return true;
     }
@@ -115,7 +115,7 @@ class BinaryBody {
  private:
   bool available(PlyType type, std::uint64_t values) {
     mark_ = at_;
-    return values <= remaining() / ply_size(type) || fail("truncated", "the file ends where more is declared");
+    return values <= remaining() / ply_size(type) || fail(ErrorCode::truncated, "the file ends where more is declared");
   }
 
   template <class Unsigned>
@@ -183,11 +183,12 @@ class PlyReader {
       row_size += Body::min_size(property.is_list ? property.count_type : property.type);
     }
     if (element.count == 0) return true;
-    if (row_size == 0) return body_.fail("bad-syntax", "an element of the header has no property");
+    if (row_size == 0) return body_.fail(ErrorCode::bad_syntax, "an element of the header has no property");
     const bool vertex = element.kind == PlyElement::Kind::vertex;
     if (element.count > body_.remaining() / row_size || (vertex && element.count > max_count)) {
-      return body_.fail("absurd-count", "the file is too short for the " + std::to_string(element.count) +
-                                            " rows that the header declares: truncated, or the count is wrong");
+      return body_.fail(ErrorCode::absurd_count,
+                        "the file is too short for the " + std::to_string(element.count) +
+                            " rows that the header declares: truncated, or the count is wrong");
     }
     return true;
   }
@@ -224,7 +225,8 @@ class PlyReader {
     std::int64_t length = 0;
     if (!body_.integer(property.count_type, length)) return false;
     if (length < 0 || static_cast<std::uint64_t>(length) > body_.remaining() / Body::min_size(property.type)) {
-      return body_.fail("absurd-count", "the file is too short for this list: truncated, or its length is wrong");
+      return body_.fail(ErrorCode::absurd_count,
+                        "the file is too short for this list: truncated, or its length is wrong");
     }
     out = static_cast<std::uint64_t>(length);
     return true;
@@ -233,13 +235,14 @@ class PlyReader {
   bool polygon(const PlyProperty& property) {
     std::uint64_t length = 0;
     if (!list_length(property, length)) return false;
-    if (length < 3) return body_.fail("bad-syntax", "a face needs at least 3 corners");
-    if (mesh_.corners.size() + length > max_count) return body_.fail("absurd-count", "the faces have too many corners");
+    if (length < 3) return body_.fail(ErrorCode::bad_syntax, "a face needs at least 3 corners");
+    if (mesh_.corners.size() + length > max_count)
+      return body_.fail(ErrorCode::absurd_count, "the faces have too many corners");
     for (std::uint64_t i = 0; i < length; ++i) {
       std::int64_t index = 0;
       if (!body_.integer(property.type, index)) return false;
       if (index < 0 || static_cast<std::uint64_t>(index) >= header_.vertex_count) {
-        return body_.fail("bad-index", "a face names a vertex that does not exist");
+        return body_.fail(ErrorCode::bad_index, "a face names a vertex that does not exist");
       }
       mesh_.corners.push_back(static_cast<std::uint32_t>(index));
     }

@@ -64,7 +64,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes) : bytes_(bytes), line_end_(line_end_of(bytes)) {}
 
   Result<PlyHeader> read() {
-    if (line_end_.empty()) return fail("unknown-format", "the line 'ply' is due here");
+    if (line_end_.empty()) return fail(ErrorCode::unknown_format, "the line 'ply' is due here");
     std::optional<Error> error = next_line();
     while (!error) {
       error = next_line();
@@ -78,9 +78,8 @@ class HeaderReader {
   }
 
  private:
-  Error fail(std::string code, std::string message) const {
-    return Error{
-        std::move(code), std::move(message), {}, "line " + std::to_string(std::max<std::uint64_t>(line_number_, 1))};
+  Error fail(ErrorCode code, std::string message) const {
+    return Error{code, std::move(message), {}, "line " + std::to_string(std::max<std::uint64_t>(line_number_, 1))};
   }
 
   std::optional<Error> next_line() {
@@ -91,7 +90,7 @@ class HeaderReader {
       line_ = bytes_.substr(header_.size);
       header_.size = bytes_.size();
       Scanner words(line_);
-      if (words.word() != "end_header") return fail("truncated", "the header ends without 'end_header'");
+      if (words.word() != "end_header") return fail(ErrorCode::truncated, "the header ends without 'end_header'");
       return {};
     }
     line_ = bytes_.substr(header_.size, length);
@@ -104,7 +103,7 @@ class HeaderReader {
     if (keyword == "format") return format(words);
     if (keyword == "element") return element(words);
     if (keyword == "property") return property(words);
-    return fail("bad-syntax", "a PLY header has no such statement");
+    return fail(ErrorCode::bad_syntax, "a PLY header has no such statement");
   }
 
   std::optional<Error> format(Scanner& words) {
@@ -116,9 +115,9 @@ class HeaderReader {
     } else if (encoding == "binary_big_endian") {
       header_.encoding = PlyHeader::Encoding::big_endian;
     } else {
-      return fail("unknown-format", "the format is ascii, binary_little_endian or binary_big_endian");
+      return fail(ErrorCode::unknown_format, "the format is ascii, binary_little_endian or binary_big_endian");
     }
-    if (words.word() != "1.0") return fail("unknown-format", "only version 1.0 of PLY is known");
+    if (words.word() != "1.0") return fail(ErrorCode::unknown_format, "only version 1.0 of PLY is known");
     has_format_ = true;
     return {};
   }
@@ -129,10 +128,11 @@ class HeaderReader {
     PlyElement element;
     element.kind = name == "vertex" ? Kind::vertex : name == "face" ? Kind::face : Kind::other;
     std::int64_t count = 0;
-    if (!words.integer(count)) return fail(words.at_end() ? "bad-syntax" : "bad-number", "an element needs a count");
-    if (count < 0) return fail("absurd-count", "the count of an element is negative");
+    if (!words.integer(count))
+      return fail(words.at_end() ? ErrorCode::bad_syntax : ErrorCode::bad_number, "an element needs a count");
+    if (count < 0) return fail(ErrorCode::absurd_count, "the count of an element is negative");
     if (element.kind != Kind::other && find(element.kind) != nullptr) {
-      return fail("bad-syntax", "this element is declared twice");
+      return fail(ErrorCode::bad_syntax, "this element is declared twice");
     }
     element.count = static_cast<std::uint64_t>(count);
     if (element.kind == Kind::vertex) header_.vertex_count = element.count;
@@ -142,22 +142,22 @@ class HeaderReader {
 
   /// property TYPE NAME or property list TYPE TYPE NAME
   std::optional<Error> property(Scanner& words) {
-    if (header_.elements.empty()) return fail("bad-syntax", "a property needs an element before it");
+    if (header_.elements.empty()) return fail(ErrorCode::bad_syntax, "a property needs an element before it");
     PlyElement& element = header_.elements.back();
     PlyProperty property;
     std::string_view type = words.word();
     property.is_list = type == "list";
     if (property.is_list) {
       if (!find_type(words.word(), property.count_type)) return unknown_type();
-      if (is_floating(property.count_type)) return fail("bad-syntax", "the length of a list is an integer");
+      if (is_floating(property.count_type)) return fail(ErrorCode::bad_syntax, "the length of a list is an integer");
       type = words.word();
     }
     if (!find_type(type, property.type)) return unknown_type();
     const std::string_view name = words.word();
-    if (name.empty()) return fail("bad-syntax", "a property needs a name");
+    if (name.empty()) return fail(ErrorCode::bad_syntax, "a property needs a name");
     property.role = role_of(element.kind, property.is_list, name);
     if (property.role != Role::none && has_role(element, property.role)) {
-      return fail("bad-syntax", "this property is declared twice");
+      return fail(ErrorCode::bad_syntax, "this property is declared twice");
     }
     element.properties.push_back(property);
     return {};
@@ -171,18 +171,19 @@ class HeaderReader {
     return true;
   }
 
-  Error unknown_type() const { return fail("bad-syntax", "a PLY property has no such type"); }
+  Error unknown_type() const { return fail(ErrorCode::bad_syntax, "a PLY property has no such type"); }
 
   Result<PlyHeader> finish() {
-    if (!has_format_) return fail("bad-syntax", "the header has no 'format'");
+    if (!has_format_) return fail(ErrorCode::bad_syntax, "the header has no 'format'");
     const PlyElement* vertex = find(Kind::vertex);
     const PlyElement* face = find(Kind::face);
     if (vertex == nullptr || !has_role(*vertex, Role::x) || !has_role(*vertex, Role::y) ||
         !has_role(*vertex, Role::z)) {
-      return fail("bad-syntax", "the header declares no vertices with x, y and z");
+      return fail(ErrorCode::bad_syntax, "the header declares no vertices with x, y and z");
     }
-    if (face == nullptr || !has_role(*face, Role::corners)) {
-      return fail("bad-syntax", "the header declares no faces with a list vertex_indices");
+    if (face == nullptr) return fail(ErrorCode::no_faces, "the header declares no faces: points alone bound no solid");
+    if (!has_role(*face, Role::corners)) {
+      return fail(ErrorCode::bad_syntax, "the header declares no faces with a list vertex_indices");
     }
     return std::move(header_);
   }

@@ -44,7 +44,8 @@ struct PlyHeader {
 };
 
 /// The first line settles how lines end, so that a body may begin with any byte.
-/// Errors, with the line: "truncated", "bad-syntax", "bad-number", "absurd-count", "unknown-format".
+/// Errors, with the line: "truncated", "bad-syntax", "bad-number", "absurd-count", "unknown-format",
+/// "no-faces" (no face element).
 Result<PlyHeader> read_ply_header(std::string_view bytes);
 
 }  // namespace quoin::io

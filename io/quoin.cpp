@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "io/text_output.h"
@@ -101,10 +102,10 @@ class Lines {
   }
 
   bool fail(std::string message) {
-    if (error_.code.empty()) error_ = {"bad-quoin", std::move(message), {}, "line " + std::to_string(line_)};
+    if (!error_) error_ = Error{ErrorCode::bad_quoin, std::move(message), {}, "line " + std::to_string(line_)};
     return false;
   }
-  Error take_error() { return std::move(error_); }
+  Error take_error() { return std::move(*error_); }
 
  private:
   /// Moves over an integer.
@@ -138,7 +139,7 @@ class Lines {
   const char* field_ = nullptr;
   const char* line_end_ = nullptr;
   std::uint64_t line_ = 1;
-  Error error_ = {};
+  std::optional<Error> error_ = {};
 };
 
 constexpr std::string_view magic = "quoin ";

@@ -94,10 +94,10 @@ class Scanner {
     const char* first = after_plus();
     const std::from_chars_result result = std::from_chars(first, end_, value);
     if (result.ec == std::errc::invalid_argument || !ends_word(result.ptr)) {
-      return fail("bad-number", "this is not a decimal number");
+      return fail(ErrorCode::bad_number, "this is not a decimal number");
     }
     if (result.ec == std::errc::result_out_of_range) value = beyond_range(first, result.ptr);
-    if (!std::isfinite(value)) return fail("non-finite", "this number is not finite in double precision");
+    if (!std::isfinite(value)) return fail(ErrorCode::non_finite, "this number is not finite in double precision");
     position_ = result.ptr;
     out = value;
     return true;
@@ -108,7 +108,7 @@ class Scanner {
   bool integer(std::int64_t& out) {
     if (!start_word("an integer is missing")) return false;
     const char* after = integer_prefix(out);
-    if (after == nullptr || !ends_word(after)) return fail("bad-number", "this is not an integer");
+    if (after == nullptr || !ends_word(after)) return fail(ErrorCode::bad_number, "this is not an integer");
     position_ = after;
     return true;
   }
@@ -118,7 +118,7 @@ class Scanner {
   bool leading_integer(std::int64_t& out) {
     if (!start_word("an integer is missing")) return false;
     const char* after = integer_prefix(out);
-    if (after == nullptr) return fail("bad-number", "this is not an integer");
+    if (after == nullptr) return fail(ErrorCode::bad_number, "this is not an integer");
     position_ = after;
     return true;
   }
@@ -137,8 +137,8 @@ class Scanner {
   void mark_at(const char* place) { mark_ = place; }
 
   /// Records an error at the mark (the start of the last word) and returns false.
-  bool fail(std::string code, std::string message) {
-    error_ = Error{std::move(code), std::move(message), {}, "line " + std::to_string(line_of(mark_))};
+  bool fail(ErrorCode code, std::string message) {
+    error_ = Error{code, std::move(message), {}, "line " + std::to_string(line_of(mark_))};
     return false;
   }
   Error take_error() { return std::move(error_); }
@@ -160,8 +160,8 @@ class Scanner {
   bool start_word(const char* complaint) {
     skip_blanks();
     mark_ = position_;
-    if (at_end()) return fail("truncated", "the text ends where more is declared");
-    if (at_line_end()) return fail("bad-syntax", std::string(complaint) + " on this line");
+    if (at_end()) return fail(ErrorCode::truncated, "the text ends where more is declared");
+    if (at_line_end()) return fail(ErrorCode::bad_syntax, std::string(complaint) + " on this line");
     return true;
   }
 

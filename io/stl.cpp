@@ -56,14 +56,15 @@ void number_corners(PolygonMesh& mesh, std::uint32_t facets) {
 Result<void> check_binary_size(std::string_view bytes) {
   const std::string size = std::to_string(bytes.size());
   if (bytes.size() < facets_offset) {
-    return Error{"truncated", "a binary STL has at least 84 bytes, this file has " + size, {}, "byte " + size};
+    return Error{ErrorCode::truncated, "a binary STL has at least 84 bytes, this file has " + size, {}, "byte " + size};
   }
   const std::uint64_t expected = binary_size(bytes);
   const std::string story = "the header declares " + std::to_string(load_u32(bytes.data() + header_size)) +
                             " facets, which take " + std::to_string(expected) + " bytes, but the file has " + size;
-  if (bytes.size() < expected) return Error{"truncated", story, {}, "byte " + size};
-  if (bytes.size() >= expected + facet_size) return Error{"bad-syntax", story, {}, "byte " + std::to_string(expected)};
-  if (load_u32(bytes.data() + header_size) > max_facets) return Error{"absurd-count", story, {}, "byte 80"};
+  if (bytes.size() < expected) return Error{ErrorCode::truncated, story, {}, "byte " + size};
+  if (bytes.size() >= expected + facet_size)
+    return Error{ErrorCode::bad_syntax, story, {}, "byte " + std::to_string(expected)};
+  if (load_u32(bytes.data() + header_size) > max_facets) return Error{ErrorCode::absurd_count, story, {}, "byte 80"};
   return {};
 }
 
@@ -83,7 +84,7 @@ Result<PolygonMesh> read_binary_stl(std::string_view bytes) {
       *to++ = static_cast<double>(std::bit_cast<float>(bits));
     }
     if (!finite) {
-      return Error{"non-finite",
+      return Error{ErrorCode::non_finite,
                    "facet " + std::to_string(facet) + " has a coordinate that is not a finite number",
                    {},
                    "byte " + std::to_string(offset)};
@@ -115,8 +116,8 @@ class AsciiStlReader {
   bool unexpected(std::string_view word, std::string_view wanted) {
     const bool cut =
         in_.at_end() && (word.size() < wanted.size() && equal_ignoring_case(word, wanted.substr(0, word.size())));
-    if (cut) return in_.fail("truncated", "the text ends where '" + std::string(wanted) + "' is due");
-    return in_.fail("bad-syntax", "'" + std::string(wanted) + "' is due here");
+    if (cut) return in_.fail(ErrorCode::truncated, "the text ends where '" + std::string(wanted) + "' is due");
+    return in_.fail(ErrorCode::bad_syntax, "'" + std::string(wanted) + "' is due here");
   }
 
   bool expect(std::string_view keyword) {
@@ -146,14 +147,14 @@ class AsciiStlReader {
   bool facet() {
     if (!expect("normal")) return false;
     for (int i = 0; i < 3; ++i) {
-      if (next_word().empty()) return in_.fail("truncated", "the text ends within a normal");
+      if (next_word().empty()) return in_.fail(ErrorCode::truncated, "the text ends within a normal");
     }
     if (!expect("outer") || !expect("loop")) return false;
     for (int i = 0; i < 3; ++i) {
       if (!vertex()) return false;
     }
     if (!expect("endloop") || !expect("endfacet")) return false;
-    if (mesh_.points.size() / 9 > max_facets) return in_.fail("absurd-count", "the file has too many facets");
+    if (mesh_.points.size() / 9 > max_facets) return in_.fail(ErrorCode::absurd_count, "the file has too many facets");
     return true;
   }
 

@@ -1,4 +1,5 @@
 # The relative errors that the filters of exact/ build on, in IEEE doubles with their underflow; u = 2^-53.
+# What the other proofs call 1b-53 is proved here of the filters' unit_roundoff.
 # Rounding to nearest is odd, so signs of factors do not matter: a, b, x, d stand for the magnitudes of any non-zero
 # component, component, coordinate, offset. Zeros are exact.
 
@@ -20,8 +21,10 @@ product = double(w1 * w2);
   a in [1, 0x1p62] /\ b in [1, 0x1p62] /\ x in [0x1p-188, 0x1p250] /\ d in [1, 0x1p124] /\
   @FIX(a, 0) /\ @FIX(i, 0) /\ @FIX(v1, -1074) /\ @FIX(v2, -1074) /\ @FIX(w1, -240) /\ @FIX(w2, -240)
   ->
-  A -/ a in [-1b-53, 1b-53] /\ X -/ x in [-1b-53, 1b-53] /\ D -/ d in [-1b-53, 1b-53] /\
+  A -/ a in [-@unit_roundoff@, @unit_roundoff@] /\ X -/ x in [-@unit_roundoff@, @unit_roundoff@] /\
+  D -/ d in [-@unit_roundoff@, @unit_roundoff@] /\
   AX -/ (a * x) in [-0x3.001p-53, 0x3.001p-53] /\ AB -/ (a * b) in [-0x3.001p-53, 0x3.001p-53] /\
-  sum -/ (v1 + v2) in [-1b-53, 1b-53] /\ difference -/ (v1 - v2) in [-1b-53, 1b-53] /\
-  AI -/ (A * i) in [-1b-53, 1b-53] /\ product -/ (w1 * w2) in [-1b-53, 1b-53]
+  sum -/ (v1 + v2) in [-@unit_roundoff@, @unit_roundoff@] /\
+  difference -/ (v1 - v2) in [-@unit_roundoff@, @unit_roundoff@] /\
+  AI -/ (A * i) in [-@unit_roundoff@, @unit_roundoff@] /\ product -/ (w1 * w2) in [-@unit_roundoff@, @unit_roundoff@]
 }

@@ -82,7 +82,7 @@ TEST(Convert, Refusals) {
   const Solid a = box({0, 0, 0}, {1, 1, 1});
   const auto far = a.on_grid(grid_of("1e-9"));
   ASSERT_FALSE(far);
-  EXPECT_EQ(far.error().code, "out-of-range");
+  EXPECT_EQ(far.error().code, ErrorCode::out_of_range);
   EXPECT_NE(far.error().message.find("step 1 "), std::string::npos) << far.error().message;
 
   // Its plane has normals near 2^60: a step that multiplies them cannot hold it.
@@ -90,7 +90,7 @@ TEST(Convert, Refusals) {
                                    Corner{12345, 536870911, -536870912}, Corner{3, 5, 536870911}});
   const auto inexact = large.on_grid(Grid::with_step_and_origin("1000", {"1", "2", "3"}).value());
   ASSERT_FALSE(inexact);
-  EXPECT_EQ(inexact.error().code, "inexact-grid");
+  EXPECT_EQ(inexact.error().code, ErrorCode::inexact_grid);
   EXPECT_NE(inexact.error().message.find("the step "), std::string::npos);
 }
 
@@ -99,10 +99,10 @@ TEST(Grid, Doors) {
   EXPECT_EQ(grid_of("1e-3").step(), "1/1000");
   EXPECT_EQ(grid_of("1e-3"), grid_of("1/1000"));
   for (const char* text : {"", "0", "-1", "x", "1/0", "nan", "1e999"})
-    EXPECT_EQ(Grid::with_step(text).error().code, "bad-number") << text;
-  EXPECT_EQ(Grid::with_step_and_origin("1", {"0", "zero", "0"}).error().code, "bad-number");
-  EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, HUGE_VAL, 1}).error().code, "non-finite");
-  EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, 1e308, 1}).error().code, "out-of-range");
+    EXPECT_EQ(Grid::with_step(text).error().code, ErrorCode::bad_number) << text;
+  EXPECT_EQ(Grid::with_step_and_origin("1", {"0", "zero", "0"}).error().code, ErrorCode::bad_number);
+  EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, HUGE_VAL, 1}).error().code, ErrorCode::non_finite);
+  EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, 1e308, 1}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(Grid::fitting({-1, 0, 0}, {1, 1, 1}).value().step(), "1/67108864");
   EXPECT_EQ(Grid::fitting({1, 1, 1}, {-1, 0, 0}).value().step(), "1/67108864");
 }

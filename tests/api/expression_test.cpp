@@ -21,12 +21,12 @@ Expression cube_of_half_spaces(const std::string& low, const std::string& high) 
     terms.emplace_back(below);
     terms.emplace_back(above);
   }
-  return Expression::intersection_of(terms);
+  return Expression::intersect(terms);
 }
 
 std::string code(const Expression& expression) {
   const auto result = evaluate(expression);
-  return result ? "" : result.error().code;
+  return result ? "" : to_string(result.error().code);
 }
 
 TEST(Expression, NestedIsOneOperation) {
@@ -45,7 +45,7 @@ TEST(Expression, SharedTermsAreNotWrittenOut) {
   Expression e = Expression(a) + b, f = e, g = e;
   for (int i = 0; i < 40; ++i) {
     e = e - (e - e);
-    f = Expression::symmetric_difference_of({f, f, f});
+    f = Expression::symmetric_difference({f, f, f});
     // Alternately the symmetric difference with b and that union again.
     g = (g + a) ^ (g & b);
   }
@@ -111,12 +111,12 @@ TEST(Expression, OneSolidSeveralTimes) {
 
 TEST(Expression, WithoutTerms) {
   const Solid a = box({0, 0, 0}, {1, 1, 1});
-  EXPECT_EQ(code(Expression::union_of({})), "no-operand");
+  EXPECT_EQ(code(Expression::unite({})), "no-operand");
   EXPECT_EQ(code(half("1", "0", "0", "0")), "no-operand");
-  EXPECT_EQ(unite({}).error().code, "no-operand");
-  EXPECT_TRUE(evaluate(a + Expression::union_of({})).value() == a);
-  EXPECT_TRUE(evaluate(a & Expression::intersection_of({})).value() == a);
-  EXPECT_TRUE(evaluate(a & Expression::union_of({})).value().is_empty());
+  EXPECT_EQ(unite({}).error().code, ErrorCode::no_operand);
+  EXPECT_TRUE(evaluate(a + Expression::unite({})).value() == a);
+  EXPECT_TRUE(evaluate(a & Expression::intersect({})).value() == a);
+  EXPECT_TRUE(evaluate(a & Expression::unite({})).value().is_empty());
 }
 
 TEST(Expression, LongChainsAreNoProblem) {

@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "io/quoin.h"
+#include "tests/api/quoin_damage.h"
 #include "tests/api/solids.h"
 
 namespace quoin::api_test {
@@ -49,7 +51,7 @@ TEST_F(Files, EveryFormatComesBack) {
   }
   const Mesh mesh = a.to_triangles().value();
   for (const Format format : {Format::stl_ascii, Format::ply_ascii}) {
-    put("plain", to_bytes(mesh, format));
+    put("plain", to_bytes(mesh, format).value());
     const auto source = read_source(path("plain"));
     ASSERT_TRUE(source) << source.error().message;
     EXPECT_EQ(source.value().name, path("plain"));
@@ -83,19 +85,46 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-/// The vertices and faces of two files as one; whether space is full far away is taken from the first.
+/// The vertices and faces of two files as one, in canonical order; whether space is full far away is taken from the
+/// first. Precondition: integer vertices, faces of one loop.
 std::string both(const std::string& a, const std::string& b) {
-  io::ExactDocument p = io::read_quoin(a).value();
-  const io::ExactDocument q = io::read_quoin(b).value();
-  const auto vertices = static_cast<std::uint32_t>(p.vertices.size());
-  p.vertices.insert(p.vertices.end(), q.vertices.begin(), q.vertices.end());
-  p.planes.insert(p.planes.end(), q.planes.begin(), q.planes.end());
-  for (std::size_t i = 1; i < q.face_loops.size(); ++i)
-    p.face_loops.push_back(p.face_loops[p.face_loops.size() - 1] + q.face_loops[i] - q.face_loops[i - 1]);
-  for (std::size_t i = 1; i < q.loop_corners.size(); ++i)
-    p.loop_corners.push_back(p.loop_corners[p.loop_corners.size() - 1] + q.loop_corners[i] - q.loop_corners[i - 1]);
-  for (std::uint32_t c : q.corners) p.corners.push_back(c + vertices);
-  return io::write_quoin(p);
+  damage::Document p = damage::opened(a), q = damage::opened(b);
+  auto& vertices = p.numbers.vertices;
+  const auto before = static_cast<std::uint32_t>(vertices.size());
+  vertices.insert(vertices.end(), q.numbers.vertices.begin(), q.numbers.vertices.end());
+  for (auto& face : q.faces)
+    for (auto& v : face[0]) v += before;
+
+  const auto numbers = [](const std::array<std::string, 4>& text) {
+    std::array<long long, 4> r{};
+    for (std::size_t k = 0; k < 4; ++k) r[k] = damage::number(text[k]);
+    return r;
+  };
+  std::vector<std::uint32_t> order(vertices.size()), rank(vertices.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t u, std::uint32_t v) { return numbers(vertices[u]) < numbers(vertices[v]); });
+  for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+
+  damage::Document r{p.numbers, {}};
+  r.numbers.planes.clear();
+  for (std::size_t i = 0; i < order.size(); ++i) r.numbers.vertices[i] = vertices[order[i]];
+  std::vector<std::pair<std::array<std::string, 4>, std::vector<std::uint32_t>>> faces;
+  for (const damage::Document* d : {&p, &q})
+    for (std::size_t f = 0; f < d->faces.size(); ++f) {
+      std::vector<std::uint32_t> loop;
+      for (const std::uint32_t v : d->faces[f][0]) loop.push_back(rank[v]);
+      std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+      faces.emplace_back(d->numbers.planes[f], loop);
+    }
+  std::sort(faces.begin(), faces.end(), [&](const auto& x, const auto& y) {
+    return std::pair(numbers(x.first), x.second) < std::pair(numbers(y.first), y.second);
+  });
+  for (const auto& [plane, loop] : faces) {
+    r.numbers.planes.push_back(plane);
+    r.faces.push_back({loop});
+  }
+  return damage::closed(r);
 }
 
 TEST_F(Files, BadQuoinIsRefused) {
@@ -116,12 +145,18 @@ TEST_F(Files, BadQuoinIsRefused) {
   bad.push_back(both(wide, box({1, 1, 1}, {2, 2, 2}).to_quoin()));   // winding number 2
   bad.push_back(both(wide, box({1, 1, 1}, {10, 2, 2}).to_quoin()));  // crossing faces
   bad.push_back(both(wide, box({9, 1, 1}, {10, 2, 2}).to_quoin()));  // faces that overlap from both sides
+  const auto fault_of = [](const std::string& text) {
+    const auto solid = Solid::from_quoin(text);
+    return solid ? "" : solid.error().message;
+  };
+  for (std::size_t i = bad.size() - 3; i < bad.size(); ++i)
+    EXPECT_EQ(fault_of(bad[i]).substr(0, 22), "the solid is not valid") << fault_of(bad[i]);
   EXPECT_TRUE(Solid::from_quoin(both(wide, box({10, 1, 1}, {11, 2, 2}).to_quoin())));
   EXPECT_TRUE(Solid::from_quoin(both(wide, (~box({1, 1, 1}, {2, 2, 2})).to_quoin())));  // a cavity
   for (const std::string& text : bad) {
     const auto solid = Solid::from_quoin(text);
     ASSERT_FALSE(solid) << text;
-    EXPECT_EQ(solid.error().code, "bad-quoin");
+    EXPECT_EQ(solid.error().code, ErrorCode::bad_quoin);
     EXPECT_NE(solid.error().where, "") << solid.error().message;
   }
 }
@@ -134,41 +169,77 @@ TEST_F(Files, RandomDamageNeverCrashes) {
     for (int i = 0; i < 2; ++i) text[random() % text.size()] = "0123456789- \n/"[random() % 14];
     const auto solid = Solid::from_quoin(text);
     if (!solid) {
-      EXPECT_EQ(solid.error().code, "bad-quoin");
+      EXPECT_EQ(solid.error().code, ErrorCode::bad_quoin);
     }
   }
 }
 
 TEST_F(Files, ErrorsNameTheFile) {
-  EXPECT_EQ(read({path("none.off")}).error().code, "missing-file");
+  EXPECT_EQ(read({path("none.off")}).error().code, ErrorCode::missing_file);
   EXPECT_EQ(read({path("none.off")}).error().file, path("none.off"));
   put("a.txt", "hello");
-  EXPECT_EQ(read({path("a.txt")}).error().code, "unknown-format");
+  EXPECT_EQ(read({path("a.txt")}).error().code, ErrorCode::unknown_format);
   put("a.off", "OFF\n1 1 0\n");
   EXPECT_EQ(read({path("a.off")}).error().file, path("a.off"));
   put("a.quoin", "quoin 1\n");
-  EXPECT_EQ(read({path("a.quoin")}).error().code, "bad-quoin");
+  EXPECT_EQ(read({path("a.quoin")}).error().code, ErrorCode::bad_quoin);
   EXPECT_EQ(read({path("a.quoin")}).error().file, path("a.quoin"));
   Mesh open = box_mesh({0, 0, 0}, {1, 1, 1});
   open.triangles.resize(9);
-  put("open.off", to_bytes(open, Format::off));
+  put("open.off", to_bytes(open, Format::off).value());
   const auto refused = read({path("open.off")});
-  EXPECT_EQ(refused.error().code, "open-boundary");
+  EXPECT_EQ(refused.error().code, ErrorCode::open_boundary);
   EXPECT_EQ(refused.error().file, path("open.off"));
   const Solid a = box({0, 0, 0}, {1, 1, 1});
-  EXPECT_EQ(a.write(path("a.txt")).error().code, "unknown-format");
-  EXPECT_EQ(a.write(path("no/such/a.off")).error().code, "unwritable");
+  EXPECT_EQ(a.write(path("a.txt")).error().code, ErrorCode::unknown_format);
+  EXPECT_EQ(a.write(path("no/such/a.off")).error().code, ErrorCode::unwritable);
   EXPECT_EQ(a.write(path("no/such/a.off")).error().file, path("no/such/a.off"));
-  EXPECT_EQ((~a).write(path("b.off")).error().code, "unbounded");
+  EXPECT_EQ((~a).write(path("b.off")).error().code, ErrorCode::unbounded);
   EXPECT_FALSE(std::filesystem::exists(path("b.off")));
   EXPECT_TRUE((~a).write(path("b.quoin")));
+}
+
+TEST_F(Files, OneFileAtATime) {
+  const Solid a = box({0, 0, 0}, {1, 1, 1.25}, grid_of("1/4"));
+  ASSERT_TRUE(a.write(path("a.off")));
+  ImportReport report;
+  const auto back = read_solid(path("a.off"), {.grid = Grid()}, &report);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(volume(*back), "1");
+  EXPECT_GE(report.max_snap, 0.25);
+  EXPECT_EQ(read_solid(path("none.off")).error().file, path("none.off"));
+}
+
+TEST(ToBytes, RefusesWhatIsNoMesh) {
+  const Mesh good = box_mesh({0, 0, 0}, {1, 1, 1});
+  for (const Format format :
+       {Format::stl, Format::stl_ascii, Format::obj, Format::off, Format::ply, Format::ply_ascii}) {
+    EXPECT_TRUE(to_bytes(good, format));
+    Mesh bad = good;
+    bad.triangles[5] = 8;
+    EXPECT_EQ(to_bytes(bad, format).error().code, ErrorCode::bad_index);
+    EXPECT_EQ(to_bytes(bad, format).error().where, "face 1");
+    bad = good;
+    bad.triangles.pop_back();
+    EXPECT_EQ(to_bytes(bad, format).error().code, ErrorCode::bad_index);
+    bad = good;
+    bad.points.pop_back();
+    EXPECT_EQ(to_bytes(bad, format).error().code, ErrorCode::bad_index);
+    bad = good;
+    bad.points[4] = std::nan("");
+    EXPECT_EQ(to_bytes(bad, format).error().code, ErrorCode::non_finite);
+    bad.points[4] = 1e300;
+    EXPECT_EQ(to_bytes(bad, format).has_value(), format != Format::stl);
+  }
+  EXPECT_EQ(to_bytes(good, Format::quoin).error().code, ErrorCode::unknown_format);
+  EXPECT_TRUE(to_bytes({}, Format::off));
 }
 
 TEST_F(Files, ContentDecides) {
   const Solid a = box({0, 0, 0}, {1, 1, 1});
   put("wrong.stl", a.to_quoin());
-  put("wrong.quoin", to_bytes(a.to_triangles().value(), Format::ply));
-  put("none", to_bytes(a.to_triangles().value(), Format::stl));
+  put("wrong.quoin", to_bytes(a.to_triangles().value(), Format::ply).value());
+  put("none", to_bytes(a.to_triangles().value(), Format::stl).value());
   for (const char* name : {"wrong.stl", "wrong.quoin", "none"}) {
     const auto back = read({path(name)});
     ASSERT_TRUE(back) << name << ": " << back.error().message;
@@ -178,8 +249,8 @@ TEST_F(Files, ContentDecides) {
 
 TEST_F(Files, OneCommonGrid) {
   const Mesh small = box_mesh({0, 0, 0}, {1, 1, 1}), wide = box_mesh({0, 0, 0}, {1024, 1, 1});
-  put("small.off", to_bytes(small, Format::off));
-  put("wide.off", to_bytes(wide, Format::off));
+  put("small.off", to_bytes(small, Format::off).value());
+  put("wide.off", to_bytes(wide, Format::off).value());
   const auto both = read({path("small.off"), path("wide.off")});
   ASSERT_TRUE(both);
   EXPECT_EQ(both.value()[0].grid().step(), "1/65536");
@@ -202,11 +273,166 @@ TEST_F(Files, OneCommonGrid) {
   EXPECT_TRUE(read({}).value().empty());
 }
 
+TEST_F(Files, AMeshWithoutFacesIsRefused) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"wires.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"},
+      {"empty.off", to_bytes(Mesh(), Format::off).value()},
+      {"empty.stl", to_bytes(Mesh(), Format::stl).value()},
+      {"ascii.stl", to_bytes(Mesh(), Format::stl_ascii).value()},
+      {"empty.ply", to_bytes(Mesh(), Format::ply).value()},
+      {"cloud.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+       "end_header\n0 0 0\n"}};
+  for (const auto& [name, bytes] : files) {
+    put(name, bytes);
+    const auto solids = read({path(name)});
+    ASSERT_FALSE(solids) << name;
+    EXPECT_EQ(solids.error().code, ErrorCode::no_faces) << name;
+    EXPECT_EQ(solids.error().file, path(name));
+    EXPECT_NE(solids.error().where, "");
+  }
+  // The exact format and arrays can state the empty solid.
+  ASSERT_TRUE(Solid().write(path("empty.quoin")));
+  EXPECT_TRUE(read({path("empty.quoin")}).value()[0].is_empty());
+  EXPECT_TRUE(Solid::from_triangles({}, {}).value().is_empty());
+  EXPECT_TRUE(Solid::from_triangles(std::vector<double>{1, 2, 3}, {}).value().is_empty());
+}
+
+/// Two meshes as one, the points of each its own.
+Mesh joined(Mesh a, const Mesh& b) {
+  const auto behind = static_cast<std::uint32_t>(a.points.size() / 3);
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (const std::uint32_t v : b.triangles) a.triangles.push_back(behind + v);
+  return a;
+}
+
+Mesh inside_out(Mesh mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) std::swap(mesh.triangles[t], mesh.triangles[t + 1]);
+  return mesh;
+}
+
+TEST_F(Files, AnInsideOutBodyAmongOthersIsReported) {
+  const Mesh good = box_mesh({0, 0, 0}, {2, 2, 2}), bad = inside_out(box_mesh({3.5, 0, 0}, {5, 2, 1}));
+  ImportReport report;
+  const auto solid = Solid::from_triangles(joined(good, bad).points, joined(good, bad).triangles, {}, &report);
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(volume(solid.value()), "8");
+  EXPECT_EQ(report.dropped_shells, 1u);
+  EXPECT_EQ(report.dropped_where, "shell at (3.5, 0, 0)");
+  EXPECT_EQ(report.resolved_crossings, 0u);
+
+  // Inner voids, and a surface that is there twice, lose nothing.
+  const Mesh hollow = joined(box_mesh({-1, -1, -1}, {3, 3, 3}), inside_out(good));
+  ASSERT_TRUE(Solid::from_triangles(hollow.points, hollow.triangles, {}, &report));
+  EXPECT_EQ(report.dropped_shells, 0u);
+  EXPECT_EQ(report.dropped_where, "");
+  const Mesh twice = joined(good, good);
+  ASSERT_TRUE(Solid::from_triangles(twice.points, twice.triangles, {}, &report));
+  EXPECT_EQ(report.dropped_shells, 0u);
+
+  put("a.off", to_bytes(good, Format::off).value());
+  put("b.off", to_bytes(joined(good, bad), Format::off).value());
+  std::vector<ImportReport> reports;
+  ASSERT_TRUE(read({path("a.off"), path("b.off")}, {}, &reports));
+  EXPECT_EQ(reports[0].dropped_shells, 0u);
+  EXPECT_EQ(reports[1].dropped_shells, 1u);
+}
+
+TEST_F(Files, ErrorsNameThePlace) {
+  const Mesh cube = box_mesh({0, 0, 0}, {1, 1, 1});
+  const auto where = [](const auto& result) { return result ? "a solid" : result.error().where; };
+  Mesh broken = inside_out(cube);
+  EXPECT_EQ(where(Solid::from_triangles(broken.points, broken.triangles)), "shell at (0, 0, 0)");
+  broken = joined(box_mesh({5, 0, 0}, {6, 1, 1}), inside_out(box_mesh({0.5, 0, 0}, {4, 4, 4})));
+  EXPECT_EQ(where(Solid::from_triangles(broken.points, broken.triangles)), "shell at (0.5, 0, 0)");
+  broken = cube;
+  broken.points.pop_back();
+  EXPECT_EQ(where(Solid::from_triangles(broken.points, broken.triangles)), "vertex 7");
+  broken = cube;
+  broken.triangles.pop_back();
+  EXPECT_EQ(where(Solid::from_triangles(broken.points, broken.triangles)), "face 11");
+  broken = cube;
+  broken.points[4] = 1e308;
+  EXPECT_EQ(where(Solid::from_triangles(broken.points, broken.triangles)), "vertex 1 (1, 1e+308, 0)");
+  EXPECT_EQ(where(Grid::fitting({0, 0, 0}, {1, 1e308, 1})), "high corner (1, 1e+308, 1)");
+  EXPECT_EQ(where(Grid::fitting({0, -HUGE_VAL, 0}, {1, 1, 1})), "low corner (0, -inf, 0)");
+
+  put("near.off", to_bytes(cube, Format::off).value());
+  put("far.off", to_bytes(broken, Format::off).value());
+  const auto solids = read({path("near.off"), path("far.off")});
+  ASSERT_FALSE(solids);
+  EXPECT_EQ(solids.error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(solids.error().file, path("far.off"));
+  EXPECT_EQ(solids.error().where, "vertex 1 (1, 1e+308, 0)");
+}
+
+/// Fractions as they are reported.
+struct Fractions {
+  std::vector<double> all;
+  Progress record() {
+    all.clear();
+    return [this](double done) { all.push_back(done); };
+  }
+  void expect_whole(const std::string& what) const {
+    ASSERT_FALSE(all.empty()) << what;
+    EXPECT_TRUE(std::is_sorted(all.begin(), all.end())) << what;
+    EXPECT_GE(all.front(), 0) << what;
+    EXPECT_EQ(all.back(), 1) << what;
+    EXPECT_LE(std::count(all.begin(), all.end(), 1), 2) << what;
+  }
+};
+
+TEST_F(Files, ProgressOfEveryImportEndsAtOne) {
+  const Mesh clean = box_mesh({0, 0, 0}, {2, 2, 2});
+  const Mesh crossing = joined(clean, box_mesh({1, 1, 1}, {3, 3, 3}));
+  const Mesh apart = joined(clean, box_mesh({4, 4, 4}, {5, 5, 5}));
+  const Mesh flat = [&] {
+    Mesh mesh = clean;
+    for (std::size_t i = 2; i < mesh.points.size(); i += 3) mesh.points[i] = 0;
+    return mesh;
+  }();
+  Fractions fractions;
+  ImportOptions options;
+  for (const Trust trust : {Trust::nothing, Trust::embedded})
+    for (const Mesh* mesh : {&clean, &crossing, &apart, &flat}) {
+      options.trust = trust;
+      options.run.progress = fractions.record();
+      ASSERT_TRUE(Solid::from_triangles(mesh->points, mesh->triangles, options));
+      fractions.expect_whole("from_triangles");
+      std::vector<std::uint32_t> starts;
+      for (std::uint32_t i = 0; i <= mesh->triangles.size(); i += 3) starts.push_back(i);
+      options.run.progress = fractions.record();
+      ASSERT_TRUE(Solid::from_polygons(mesh->points, starts, mesh->triangles, options));
+      fractions.expect_whole("from_polygons");
+    }
+  options.run.progress = fractions.record();
+  ASSERT_TRUE(Solid::from_triangles({}, {}, options));
+  fractions.expect_whole("no triangles");
+
+  put("a.off", to_bytes(clean, Format::off).value());
+  put("b.stl", to_bytes(crossing, Format::stl).value());
+  ASSERT_TRUE(box({0, 0, 0}, {1, 1, 1}).write(path("c.quoin")));
+  for (const Trust trust : {Trust::nothing, Trust::embedded})
+    for (const std::vector<std::string>& names : std::vector<std::vector<std::string>>{{"a.off"},
+                                                                                       {"c.quoin"},
+                                                                                       {"a.off", "b.stl", "c.quoin"},
+                                                                                       {"c.quoin", "c.quoin", "a.off"},
+                                                                                       {"b.stl", "a.off", "a.off"},
+                                                                                       {}}) {
+      std::vector<std::string> paths;
+      for (const std::string& name : names) paths.push_back(path(name));
+      options.trust = trust;
+      options.run.progress = fractions.record();
+      ASSERT_TRUE(read(paths, options));
+      fractions.expect_whole(std::to_string(names.size()) + " files");
+    }
+}
+
 TEST_F(Files, FormatsByName) {
   EXPECT_EQ(format_of("a.b.QUOIN").value(), Format::quoin);
   EXPECT_EQ(format_of("x.Stl").value(), Format::stl);
-  EXPECT_EQ(format_of("quoin").error().code, "unknown-format");
-  EXPECT_EQ(format_of("").error().code, "unknown-format");
+  EXPECT_EQ(format_of("quoin").error().code, ErrorCode::unknown_format);
+  EXPECT_EQ(format_of("").error().code, ErrorCode::unknown_format);
 }
 
 TEST(Export, TopologyOfTouchingCubes) {
@@ -256,11 +482,14 @@ TEST(Export, ReportsWhatRoundingFlipped) {
 }
 
 TEST(Export, TheUnboundedHasNoMesh) {
-  EXPECT_EQ(Solid::full(Grid()).to_triangles().error().code, "unbounded");
+  EXPECT_EQ(Solid::full(Grid()).to_triangles().error().code, ErrorCode::unbounded);
   EXPECT_TRUE(Solid().to_triangles().value().triangles.empty());
   const Solid huge = box({0, 0, 0}, {1e200, 1e200, 1e200}, grid_of("1e200"));
   EXPECT_TRUE(huge.to_triangles());
-  EXPECT_EQ(huge.to_triangles({Topology::manifold, true}).error().code, "out-of-range");
+  const auto refused = huge.to_triangles({Topology::manifold, true});
+  EXPECT_EQ(refused.error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(refused.error().where.rfind("vertex (", 0), 0u) << refused.error().where;
+  EXPECT_NE(refused.error().where.find("1e+200"), std::string::npos) << refused.error().where;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "api/formula.h"
+#include "api/model/formula.h"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ using Definitions = std::map<std::string, std::string>;
 /// The value as text, or the error's code.
 std::string value(const std::string& formula, const Definitions& definitions = {}) {
   const auto v = Parameters(definitions).value(formula);
-  return v ? exact::to_string(v.value()) : v.error().code;
+  return v ? exact::to_string(v.value()) : to_string(v.error().code);
 }
 
 void expect_refused(const std::string& formula, const std::string& code, const std::string& message,
                     const Definitions& definitions = {}) {
   const auto v = Parameters(definitions).value(formula);
   ASSERT_FALSE(v) << formula;
-  EXPECT_EQ(v.error().code, code) << formula;
+  EXPECT_EQ(to_string(v.error().code), code) << formula;
   EXPECT_EQ(v.error().message, message);
 }
 
@@ -109,8 +109,8 @@ TEST(Formula, ADefinitionIsOneValueNotItsText) {
 TEST(Formula, OneObjectReadsManyFormulas) {
   Parameters p({{"a", "b + 1"}, {"b", "2"}, {"c", "d"}, {"d", "c"}, {"bad", "1 +"}});
   EXPECT_EQ(exact::to_string(p.value("a").value()), "3");
-  EXPECT_EQ(p.value("c").error().code, "bad-parameter");
-  EXPECT_EQ(p.value("bad").error().code, "bad-number");
+  EXPECT_EQ(p.value("c").error().code, ErrorCode::bad_parameter);
+  EXPECT_EQ(p.value("bad").error().code, ErrorCode::bad_number);
   EXPECT_EQ(p.value("d").error().message, "the parameter \"d\" is defined by itself");
   EXPECT_EQ(exact::to_string(p.value("a*b").value()), "6");
 }

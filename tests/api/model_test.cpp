@@ -66,14 +66,14 @@ TEST(Model, BracketHasNoInnerWall) {
 
 TEST(Model, UnionOfBracketVariants) {
   const std::vector<Model> variants = examples::bracket_variants();
-  const Solid all = evaluated(Model::union_of(variants), on_grid("1/1000"));
+  const Solid all = evaluated(Model::unite(variants), on_grid("1/1000"));
   // What one variant lacks another has: the angle and the rib.
   EXPECT_EQ(volume(all), "153/2");
   EXPECT_EQ(all.info().faces, 11U);
   EXPECT_EQ(all.info().genus, 0);
   std::mt19937_64 random = random_engine();
   for (int i = 0; i < cases(10); ++i) {
-    const Solid turned = evaluated(randomly_moved(Model::union_of(variants), random), on_grid("1/1000000"));
+    const Solid turned = evaluated(randomly_moved(Model::unite(variants), random), on_grid("1/1000000"));
     EXPECT_EQ(turned.info().faces, 11U);
     EXPECT_EQ(turned.info().shells, 1U);
   }
@@ -85,7 +85,7 @@ TEST(Model, BlocksThatShareAFaceUniteWhereverTheyAre) {
   const Model two = block("1", "2", "3") + block("1", "2", "3").translated({"1", "0", "0"});
   std::vector<Model> row;
   for (int i = 0; i < 10; ++i) row.push_back(block("1/3", "1", "1/7").translated({text(i) + "/3", "0", "0"}));
-  const Model ten = Model::union_of(row);
+  const Model ten = Model::unite(row);
   for (int i = 0; i < cases(60); ++i) {
     for (const Model* model : {&two, &ten}) {
       MotionReport report;
@@ -169,8 +169,8 @@ TEST(Model, HalfSpacesAndHulls) {
   const Model half = Model::half_space({"0", "0", "1", "-1/2"});
   EXPECT_EQ(volume(evaluated(block("1", "1", "1") & half)), "1/2");
   EXPECT_EQ(volume(evaluated(block("1", "1", "1") - half)), "1/2");
-  EXPECT_FALSE(evaluated(Model::complement_of(block("1", "1", "1"))).is_bounded());
-  EXPECT_EQ(evaluate(half).error().code, "unbounded");
+  EXPECT_FALSE(evaluated(Model::complement(block("1", "1", "1"))).is_bounded());
+  EXPECT_EQ(evaluate(half).error().code, ErrorCode::unbounded);
   EXPECT_TRUE(evaluated(Model()).is_empty());
   EXPECT_EQ(volume(evaluated(Model::convex({{"1", "0", "0", "-1"},
                                             {"-1", "0", "0", "0"},
@@ -179,7 +179,7 @@ TEST(Model, HalfSpacesAndHulls) {
                                             {"0", "0", "1", "-1"},
                                             {"0", "0", "-1", "0"}}))),
             "1");
-  EXPECT_EQ(evaluate(Model::convex({{"1", "0", "0", "-1"}})).error().code, "unbounded");
+  EXPECT_EQ(evaluate(Model::convex({{"1", "0", "0", "-1"}})).error().code, ErrorCode::unbounded);
   MotionReport report;
   const Solid ball = evaluated(Model::tangent_sphere("1", "100").rotated({"1", "2", "3"}, "10"), {}, &report);
   EXPECT_EQ(ball.info().faces, 100U);
@@ -213,7 +213,7 @@ TEST(Model, HalfSpacesMoveWithTheOthers) {
 
 std::string code(const Model& model) {
   const auto solid = evaluate(model);
-  return solid ? "" : solid.error().code;
+  return solid ? "" : to_string(solid.error().code);
 }
 
 TEST(Model, ParametersAndErrors) {
@@ -231,7 +231,8 @@ TEST(Model, ParametersAndErrors) {
             "not-a-rotation");
   const Error e = evaluate(block("1", "1", "1") + block("-1", "1", "1").named("lid")).error();
   EXPECT_EQ(e.where, "block \"lid\"");
-  EXPECT_EQ(evaluate(block("1", "1", "1").translated({"1e9", "0", "0"}), on_grid("1")).error().code, "out-of-range");
+  EXPECT_EQ(evaluate(block("1", "1", "1").translated({"1e9", "0", "0"}), on_grid("1")).error().code,
+            ErrorCode::out_of_range);
 }
 
 // A text has at most 4,000 digits; what formulas make of it may have more.
@@ -256,8 +257,8 @@ TEST(Model, TangentSpheresOfAnyRadius) {
     EXPECT_EQ(solid.value().info().faces, unit.info().faces);
     EXPECT_EQ(report.by_planes, 1U);
   }
-  EXPECT_EQ(evaluate(Model::tangent_sphere("0", "12")).error().code, "bad-primitive");
-  EXPECT_EQ(evaluate(Model::tangent_sphere("-1", "12")).error().code, "bad-primitive");
+  EXPECT_EQ(evaluate(Model::tangent_sphere("0", "12")).error().code, ErrorCode::bad_primitive);
+  EXPECT_EQ(evaluate(Model::tangent_sphere("-1", "12")).error().code, ErrorCode::bad_primitive);
 }
 
 TEST(Model, HalfSpacesOfLongNumbers) {
@@ -284,7 +285,7 @@ TEST(Model, HalfSpacesOfLongNumbers) {
 
 TEST(Model, NumbersBeyondTheDoubles) {
   for (const char* size : {"1e308", "1e309", "1e399"})
-    EXPECT_EQ(evaluate(block(size, "1", "1")).error().code, "out-of-range") << size;
+    EXPECT_EQ(evaluate(block(size, "1", "1")).error().code, ErrorCode::out_of_range) << size;
   MotionReport report;
   const Model part = block("1e340", "1e340", "1e340").rotated({"0", "0", "1"}, "30").with_step("1e336");
   ASSERT_TRUE(evaluate(part, {}, &report));
@@ -319,9 +320,9 @@ TEST(Model, ProgressRunsFromNothingToAll) {
   check(18);  // faces and primitives
   const Motion turn = Motion::rotation({"0", "0", "1"}, "1").value();
   for (const Solid& s : {solid.value(), ~solid.value()}) {
-    ASSERT_TRUE(move(s, turn, {.run = run}));
+    ASSERT_TRUE(quoin::moved(s, turn, {.run = run}));
     check(4);
-    ASSERT_TRUE(move(s, turn, {.rounding = Rounding::vertices, .run = run}));
+    ASSERT_TRUE(quoin::moved(s, turn, {.rounding = Rounding::vertices, .run = run}));
     check(2);
   }
 }
@@ -333,14 +334,14 @@ TEST(Move, FlatFacesStayFlat) {
   MotionReport report;
   const Motion motion =
       Motion::rotation({"0", "0", "1"}, "30").value().then(Motion::translation({"1", "2", "3"}).value());
-  const auto moved = move(part, motion, {}, &report);
+  const auto moved = quoin::moved(part, motion, {}, &report);
   ASSERT_TRUE(moved);
   EXPECT_EQ(report.by_planes, 1U);
   EXPECT_LT(report.displacement, 1e-16);
   EXPECT_EQ(moved.value().info().faces, part.info().faces);
   EXPECT_EQ(moved.value().info().vertices, part.info().vertices);
   // Rounded corner by corner they do not.
-  const auto rough = move(part, motion, {.rounding = Rounding::vertices}, &report);
+  const auto rough = quoin::moved(part, motion, {.rounding = Rounding::vertices}, &report);
   ASSERT_TRUE(rough);
   EXPECT_EQ(report.by_vertices, 1U);
   EXPECT_GT(rough.value().info().faces, part.info().faces);
@@ -359,32 +360,32 @@ TEST(Move, ExactMotionsAndTheirInverses) {
                              .value())
                    .then(Motion::translation({text(static_cast<std::int64_t>(random() % 9)), "-3", "0"}).value());
     MotionReport report;
-    const auto there = move(solid, motion, {}, &report);
+    const auto there = quoin::moved(solid, motion, {}, &report);
     ASSERT_TRUE(there);
     EXPECT_EQ(report.displacement_bound, "0");
     EXPECT_EQ(there.value().volume(), solid.volume());
-    EXPECT_EQ(move(there.value(), motion.inverse()).value(), solid);
-    EXPECT_EQ(move(solid, motion.then(motion.inverse())).value().to_quoin(), solid.to_quoin());
+    EXPECT_EQ(quoin::moved(there.value(), motion.inverse()).value(), solid);
+    EXPECT_EQ(quoin::moved(solid, motion.then(motion.inverse())).value().to_quoin(), solid.to_quoin());
   }
 }
 
 TEST(Move, UnboundedAndEmptySolids) {
   const Motion motion = Motion::rotation({"1", "1", "0"}, "33").value();
   const Solid box = api_test::box({0, 0, 0}, {30, 20, 10});
-  EXPECT_EQ(move(~box, motion).value(), ~move(box, motion).value());
-  EXPECT_TRUE(move(Solid(), motion).value().is_empty());
-  EXPECT_FALSE(move(Solid::full(Grid()), motion).value().is_bounded());
+  EXPECT_EQ(quoin::moved(~box, motion).value(), ~quoin::moved(box, motion).value());
+  EXPECT_TRUE(quoin::moved(Solid(), motion).value().is_empty());
+  EXPECT_FALSE(quoin::moved(Solid::full(Grid()), motion).value().is_bounded());
 }
 
 TEST(Move, OutOfRangeNamesAStepThatWorks) {
   const Solid box = api_test::box({0, 0, 0}, {30, 20, 10});
   const Motion far = Motion::translation({"1e9", "0", "0"}).value();
-  const Error e = move(box, far).error();
-  EXPECT_EQ(e.code, "out-of-range");
+  const Error e = quoin::moved(box, far).error();
+  EXPECT_EQ(e.code, ErrorCode::out_of_range);
   EXPECT_NE(e.message.find("a step 2 times as large"), std::string::npos) << e.message;
   const auto coarse = box.on_grid(Grid::with_step("2").value());
   ASSERT_TRUE(coarse);
-  EXPECT_TRUE(move(coarse.value(), far));
+  EXPECT_TRUE(quoin::moved(coarse.value(), far));
 }
 
 TEST(Move, BakedDriftStaysWithinTheCertificates) {
@@ -395,7 +396,7 @@ TEST(Move, BakedDriftStaysWithinTheCertificates) {
   double allowed = 0;
   for (int i = 0; i < 360; ++i) {
     MotionReport report;
-    auto next = move(solid, step, {}, &report);
+    auto next = quoin::moved(solid, step, {}, &report);
     ASSERT_TRUE(next);
     ASSERT_EQ(report.by_planes, 1U);
     allowed += report.displacement;
@@ -422,16 +423,17 @@ TEST(Motion, WhatIsCarriedOut) {
   Motion turn;
   for (int i = 0; i < 360; ++i) turn = turn.then(Motion::rotation({"0", "1", "0"}, "1").value());
   EXPECT_EQ(turn, Motion());
-  EXPECT_EQ(Motion::rotation({"0", "0", "0"}, "1").error().code, "bad-axis");
-  EXPECT_EQ(Motion::rotation({"0", "0", "1"}, "ten").error().code, "bad-number");
-  EXPECT_EQ(Motion::scaling({"0", "1", "1"}).error().code, "bad-factor");
-  EXPECT_EQ(Motion::quaternion({"0", "0", "0", "0"}).error().code, "bad-axis");
+  EXPECT_EQ(Motion::rotation({"0", "0", "0"}, "1").error().code, ErrorCode::bad_axis);
+  EXPECT_EQ(Motion::rotation({"0", "0", "1"}, "ten").error().code, ErrorCode::bad_number);
+  EXPECT_EQ(Motion::scaling({"0", "1", "1"}).error().code, ErrorCode::bad_factor);
+  EXPECT_EQ(Motion::quaternion({"0", "0", "0", "0"}).error().code, ErrorCode::bad_axis);
   double deviation = -1;
   const auto near = Motion::matrix({Text3{"0.8", "-0.6", "0"}, {"0.6", "0.8", "0"}, {"0", "0", "1"}}, &deviation);
   ASSERT_TRUE(near);
   EXPECT_EQ(deviation, 0);
   EXPECT_EQ(near.value(), Motion::quaternion({"3", "0", "0", "1"}).value());
-  EXPECT_EQ(Motion::matrix({Text3{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "-1"}}).error().code, "not-a-rotation");
+  EXPECT_EQ(Motion::matrix({Text3{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "-1"}}).error().code,
+            ErrorCode::not_a_rotation);
 }
 
 }  // namespace

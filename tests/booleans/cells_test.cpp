@@ -1,7 +1,9 @@
 // The slow second way: results cell by cell and point by point, against code that shares nothing with the engine.
 #include <gtest/gtest.h>
 
-#include "booleans/export.h"
+#include "booleans/body/locate.h"
+#include "booleans/resolve.h"
+#include "booleans/surface/triangulated.h"
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {
@@ -232,6 +234,30 @@ TEST(Cells, CubeGridOneByOne) {
     ASSERT_EQ(volume(solid), --count);
   }
   ASSERT_TRUE(empty(solid));
+}
+
+// Flat regions of many edges that cover their plane more than once, against winding numbers by rays; the state of a
+// region where a contact begins is a count, not a flag.
+TEST(Cells, FoldedSheetsUnderACone) {
+  std::size_t many = 0;
+  for (std::uint64_t number = 0; number < case_count(40); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xF01D, number);
+    const auto n = static_cast<std::uint32_t>(random.between(2, 8));
+    const auto mesh = folded_sheet([&](std::int64_t low, std::int64_t high) { return random.between(low, high); }, n,
+                                   random.between(2, 12));
+    if (!mesh) continue;
+    std::uint64_t crossings = 0;
+    const Body body = sound(resolve(*mesh, crossings));
+    const Soup soup(*mesh);
+    for (const RationalPoint& p : samples({soup}, random)) {
+      const auto w = soup.winding(p, random);
+      if (!w) continue;
+      ASSERT_EQ(locate(body, p), *w > 0 ? 1 : -1);
+      many += *w > 1;
+    }
+  }
+  EXPECT_GT(many, 0u);
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ Body together(const Body& a, const Body& b) {
     for (const auto& t : body->triangles) r.triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
     r.planes.append(body->planes.begin(), body->planes.end());
     for (std::size_t p = 0; p < body->polygon_count(); ++p) {
-      for (std::uint32_t j = body->polygon_loops[p]; j < body->polygon_loops[p + 1]; ++j) {
-        for (std::uint32_t v : body->loop(j)) r.corners.push_back(id(v));
-        r.loop_corners.push_back(static_cast<std::uint32_t>(r.corners.size()));
+      for (std::uint32_t j = body->polygons.face_start[p]; j < body->polygons.face_start[p + 1]; ++j) {
+        for (std::uint32_t v : body->polygons.loop(j)) r.polygons.corners.push_back(id(v));
+        r.polygons.loop_start.push_back(static_cast<std::uint32_t>(r.polygons.corners.size()));
       }
-      r.polygon_loops.push_back(static_cast<std::uint32_t>(r.loop_corners.size() - 1));
+      r.polygons.face_start.push_back(static_cast<std::uint32_t>(r.polygons.loop_start.size() - 1));
     }
   }
   return r;
@@ -124,16 +124,16 @@ TEST(Embedding, FacesOfSeveralPieces) {
   std::map<exact::Plane, std::vector<std::uint32_t>, decltype(plane_less)> by_plane(plane_less);
   for (std::uint32_t p = 0; p < two.polygon_count(); ++p) by_plane[two.planes[p]].push_back(p);
   joined.planes = {};
-  joined.corners = {};
-  joined.loop_corners = joined.polygon_loops = {0};
+  joined.polygons.corners = {};
+  joined.polygons.loop_start = joined.polygons.face_start = {0};
   for (const auto& [plane, members] : by_plane) {
     joined.planes.push_back(plane);
     for (std::uint32_t p : members) {
       two.for_corners(static_cast<std::uint32_t>(two.triangles.size()) + p,
-                      [&](std::uint32_t v) { joined.corners.push_back(v); });
-      joined.loop_corners.push_back(static_cast<std::uint32_t>(joined.corners.size()));
+                      [&](std::uint32_t v) { joined.polygons.corners.push_back(v); });
+      joined.polygons.loop_start.push_back(static_cast<std::uint32_t>(joined.polygons.corners.size()));
     }
-    joined.polygon_loops.push_back(static_cast<std::uint32_t>(joined.loop_corners.size() - 1));
+    joined.polygons.face_start.push_back(static_cast<std::uint32_t>(joined.polygons.loop_start.size() - 1));
   }
   ASSERT_LT(joined.polygon_count(), two.polygon_count());
   ASSERT_EQ(fault(joined).value_or(""), "");

@@ -3,7 +3,9 @@
 
 #include <map>
 
-#include "booleans/export.h"
+#include "booleans/body/locate.h"
+#include "booleans/surface/separated.h"
+#include "booleans/surface/shells.h"
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {
@@ -25,7 +27,7 @@ struct Counts {
 Counts counts(const Body& body) {
   const Canonical form = canonical(body);
   const Shells s = shells(separated(body, triangulated(body)));
-  return {form.vertices.size(), edge_count(form), form.face_count(), form.loop_corners.size() - 1, s.count, s.genus};
+  return {form.vertices.size(), edge_count(form), form.face_count(), form.faces.loop_count(), s.count, s.genus};
 }
 /// V - E + F - (L - F) - 2 (S - G); 0 for manifold solids.
 std::int64_t euler_poincare(const Counts& c) {
@@ -38,8 +40,8 @@ std::vector<std::size_t> loop_sizes(const Body& body, const exact::Plane& plane)
   std::vector<std::size_t> sizes;
   for (std::size_t f = 0; f < form.face_count(); ++f)
     if (form.planes[f] == plane)
-      for (std::uint32_t j = form.face_loops[f]; j < form.face_loops[f + 1]; ++j)
-        sizes.push_back(form.loop_corners[j + 1] - form.loop_corners[j]);
+      for (std::uint32_t j = form.faces.face_start[f]; j < form.faces.face_start[f + 1]; ++j)
+        sizes.push_back(form.faces.loop_start[j + 1] - form.faces.loop_start[j]);
   std::sort(sizes.begin(), sizes.end());
   return sizes;
 }
@@ -111,18 +113,18 @@ TEST(Examples, CanonicalFormDropsNeedlessVertices) {
   Body dotted = plain;
   const std::size_t axis = plain.planes[0].n[0] != 0 ? 0 : plain.planes[0].n[1] != 0 ? 1 : 2;
   exact::GridPoint dot{{2, 2, 2}};
-  dot.c[axis] = plain.grid_points[plain.corners[0]][static_cast<int>(axis)];
+  dot.c[axis] = plain.grid_points[plain.polygons.corners[0]][static_cast<int>(axis)];
   ASSERT_EQ(plain.points.size(), 0u);
   dotted.grid_points.push_back(dot);
-  const std::uint32_t end = plain.loop_corners[1];
-  std::vector<std::uint32_t> corners(plain.corners.begin(), plain.corners.end());
+  const std::uint32_t end = plain.polygons.loop_start[1];
+  std::vector<std::uint32_t> corners(plain.polygons.corners.begin(), plain.polygons.corners.end());
   corners.insert(corners.begin() + end, static_cast<std::uint32_t>(plain.grid_points.size()));
-  std::vector<std::uint32_t> loop_corners(plain.loop_corners.begin(), plain.loop_corners.end());
+  std::vector<std::uint32_t> loop_corners(plain.polygons.loop_start.begin(), plain.polygons.loop_start.end());
   loop_corners.insert(loop_corners.begin() + 1, end);
   for (std::size_t j = 2; j < loop_corners.size(); ++j) ++loop_corners[j];
-  dotted.corners = std::move(corners);
-  dotted.loop_corners = std::move(loop_corners);
-  for (std::uint32_t& loop : dotted.polygon_loops.edit()) loop += loop != 0;
+  dotted.polygons.corners = std::move(corners);
+  dotted.polygons.loop_start = std::move(loop_corners);
+  for (std::uint32_t& loop : dotted.polygons.face_start.edit()) loop += loop != 0;
   ASSERT_EQ(fault(dotted), std::nullopt);
   EXPECT_TRUE(canonical(dotted) == canonical(plain));
   // Twelve triangles and six squares are one form.
@@ -193,29 +195,6 @@ TEST(Examples, EdgeLyingInAFace) {
   // Two prisms that share the edge x = z = 0.
   EXPECT_EQ(counts(both), (Counts{10, 17, 10, 10, 2, 0}));
   EXPECT_EQ(loop_sizes(both, {{0, 0, 1}, 0}), (std::vector<std::size_t>{4, 4}));
-}
-
-/// The largest number of triangles that name one pair of vertices.
-std::size_t most_on_one_edge(const Triangulated& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
-  std::size_t most = 0;
-  for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
-    const auto t = mesh.triangle(n);
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, ++uses[std::minmax(t[k], t[(k + 1) % 3])]);
-  }
-  return most;
-}
-
-TEST(Examples, EdgesThatTheSolidHangsAroundAreSeparatedTheOtherWay) {
-  // A box with two cubic voids that share an edge: the solid meets itself there and hangs together around both ends.
-  const Body voids = any(cube(1, 2), box({2, 2, 1}, {3, 3, 2})), solid = minus(cube(0, 4), voids);
-  const Triangulated mesh = triangulated(solid);
-  EXPECT_EQ(most_on_one_edge(mesh), 4u);
-  EXPECT_EQ(most_on_one_edge(separated(solid, mesh)), 4u);
-  const Triangulated apart = separated(solid, mesh, Pairing::by_distinct_edges);
-  EXPECT_EQ(most_on_one_edge(apart), 2u);
-  EXPECT_EQ(shells(apart).count, 3u);
-  EXPECT_EQ(shells(apart).genus, 0);
 }
 
 TEST(Examples, CubesThatShareAnEdgeOrAVertex) {

@@ -38,11 +38,13 @@ TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
     for (const Body& b : operands) pointers.push_back(&b);
     const Expression e = random_expression(random, static_cast<std::uint32_t>(operands.size()));
     booleans::Run run;
-    run.stage = [&](const char* name) { combined += std::string(name) == "combine neighbours"; };
+    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
     const Body whole = sound(evaluate(pointers, e)), parts = sound(evaluate_in_parts(pointers, e, run));
     ASSERT_TRUE(same(whole, parts));
   }
-  EXPECT_GT(combined, count / 4);
+  if (usual_thresholds()) {
+    EXPECT_GT(combined, count / 4);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Booleans, PartsOfFamily, ::testing::ValuesIn(families),
@@ -67,7 +69,7 @@ TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   std::vector<const Body*> pointers;
   for (const Body& b : boxes) pointers.push_back(&b);
   booleans::Run run;
-  run.stage = [](const char* name) { EXPECT_STRNE(name, "combine neighbours"); };
+  run.stage = [](const char* name) { EXPECT_STRNE(name, "parts"); };
   EXPECT_EQ(sound(evaluate_in_parts(pointers, Expression::flat(Rule::any, 100), run)).face_count(), 1200u);
 }
 
@@ -89,7 +91,7 @@ TEST(Parts, ProgressNeverGoesBackAndCancellingEndsIt) {
   cancel = true;
   const auto result = evaluate_in_parts(pointers, e, run);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, "cancelled");
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
 }
 
 }  // namespace

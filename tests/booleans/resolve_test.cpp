@@ -1,6 +1,8 @@
 // Closed but otherwise arbitrary meshes become the solids of their positive winding numbers.
 #include <gtest/gtest.h>
 
+#include "booleans/body/locate.h"
+#include "booleans/resolve.h"
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {

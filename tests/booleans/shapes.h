@@ -15,8 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "booleans/body.h"
+#include "booleans/body/body.h"
 #include "exact/predicates.h"
+#include "grid/import.h"
 
 namespace quoin::booleans::testing {
 
@@ -199,6 +200,54 @@ std::optional<Body> sphere(const Vector& centre, std::uint32_t rings, std::uint3
   for (const Triangle& f : faces)
     if (determinant(points[f[0]] - centre, points[f[1]] - centre, points[f[2]] - centre) <= 0) return std::nullopt;
   return mesh(points, faces);
+}
+
+/// A sheet of n x n squares whose corners lie anywhere on the lattice of the plane z = 0, so that it is folded and
+/// overlaps itself in any way, closed by a cone over its border: a closed mesh that import would hand on, with flat
+/// regions of many boundary edges that cover their plane more than once. between(low, high): any integer of that range.
+/// Nothing where it is all flat.
+template <class Between>
+std::optional<Body> folded_sheet(Between&& between, std::uint32_t n, std::int64_t reach) {
+  std::vector<double> points;
+  const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    for (const std::int64_t c : {x, y, z}) points.push_back(static_cast<double>(c));
+  };
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      // Near its place in a plain sheet or, one time in three, anywhere.
+      const bool anywhere = between(0, 2) == 0;
+      const auto at = [&](std::uint32_t k) {
+        return anywhere ? between(0, reach) : std::int64_t{k} * reach / n + between(-1, 1);
+      };
+      const std::int64_t x = at(i);
+      add(x, at(j), 0);
+    }
+  add(between(0, reach), between(0, reach), between(1, reach));
+
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return i * (n + 1) + j; };
+  const std::uint32_t apex = (n + 1) * (n + 1);
+  std::vector<std::uint32_t> triangles;
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    triangles.insert(triangles.end(), {a, b, c});
+  };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      face(at(i, j), at(i, j + 1), at(i + 1, j + 1));
+      face(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+    }
+  for (std::uint32_t k = 0; k < n; ++k) {
+    face(at(k, 0), at(k + 1, 0), apex);
+    face(at(n, k), at(n, k + 1), apex);
+    face(at(k + 1, n), at(k, n), apex);
+    face(at(0, k + 1), at(0, k), apex);
+  }
+
+  auto imported = grid::import_triangles(points, triangles, grid::Lattice{}, grid::Facing::any);
+  if (!imported || imported.value().triangles.empty()) return std::nullopt;
+  Body body;
+  body.grid_points = std::move(imported.value().points);
+  body.triangles = std::move(imported.value().triangles);
+  return body;
 }
 
 }  // namespace quoin::booleans::testing

@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "booleans/body/canonical.h"
+#include "booleans/body/fault.h"
+#include "booleans/body/measure.h"
 #include "booleans/boolean.h"
-#include "booleans/canonical.h"
-#include "booleans/measure.h"
-#include "booleans/query.h"
 #include "tests/booleans/shapes.h"
 
 namespace quoin::booleans::testing {
@@ -35,6 +35,9 @@ inline std::uint64_t case_count(std::uint64_t usual) {
   const char* text = std::getenv("QUOIN_CASES");
   return text != nullptr ? std::strtoull(text, nullptr, 10) : usual;
 }
+
+/// Are the thresholds those of users, so that a test may ask which way was taken?
+inline bool usual_thresholds() { return std::getenv("QUOIN_THRESHOLDS") == nullptr; }
 
 /// splitmix64: the same numbers with every standard library.
 class Random {
@@ -69,7 +72,7 @@ inline std::string case_name(std::uint64_t number) {
 
 /// The value, which must be without fault.
 inline Body sound(Result<Body> result) {
-  if (!result) throw std::runtime_error(result.error().code + ": " + result.error().message);
+  if (!result) throw std::runtime_error(to_string(result.error().code) + ": " + result.error().message);
   Body body = std::move(result).value();
   if (const auto message = fault(body)) throw std::runtime_error("a result has a fault: " + *message);
   return body;

@@ -1,6 +1,7 @@
 #include <regex>
 
 #include "program.h"
+#include "quoin/format.h"
 
 namespace quoin::cli_test {
 namespace {
@@ -74,7 +75,7 @@ TEST_F(CliTest, BooleanJsonHasTheKeysOfTheContract) {
     expect_keys(object[clock], stages);
     for (const auto& stage : stages) EXPECT_GE(object[clock][stage].get<double>(), 0.0) << stage;
   }
-  expect_keys(object["export"], {"flipped", "collapsed", "closed"});
+  expect_keys(object["export"], {"flipped", "collapsed", "split_edges", "closed"});
   EXPECT_EQ(object["export"]["closed"], true);
   EXPECT_GT(object["peak_rss_bytes"].get<std::uint64_t>(), 0U);
   EXPECT_EQ(object["max_snap"], 0.0);
@@ -279,6 +280,29 @@ TEST_F(CliTest, InfoPrintsAnAlignedTable) {
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_TRUE(std::regex_search(r.out, std::regex("(^|\n)vertices +8\n"))) << r.out;
   EXPECT_TRUE(std::regex_search(r.out, std::regex("\nvolume +1\n"))) << r.out;
+  EXPECT_TRUE(std::regex_search(r.out, std::regex("\nvolume, exact +1\n"))) << r.out;
+}
+
+TEST_F(CliTest, InfoShortensLongNumbers) {
+  // 38 steps of a long denominator.
+  put("tiny.off", cube("0", "1e-30"));
+  const Words words = {"info", "tiny.off", "--step", "1/3" + std::string(31, '7')};
+  const Outcome tiny = run(words);
+  ASSERT_EQ(tiny.code, 0) << tiny.err;
+  Words with_json = words;
+  with_json.push_back("--json");
+  const std::string exact = run(with_json).json()["volume"];
+  ASSERT_GT(exact.size(), 60U);
+  const auto slash = exact.find('/');
+  std::smatch found;
+  const std::regex rows(
+      "\nvolume +([0-9.]+e-[0-9]+)\nvolume, exact +([0-9]+)(\\.\\.\\.)?/([0-9]+)\\.\\.\\. \\(([0-9]+) "
+      "digits, all with --json\\)\n");
+  ASSERT_TRUE(std::regex_search(tiny.out, found, rows)) << tiny.out;
+  EXPECT_NEAR(std::stod(found[1].str()) / 1e-90, 1, 0.1);
+  EXPECT_EQ(exact.find(found[2].str()), 0U);
+  EXPECT_EQ(exact.find(found[4].str(), slash), slash + 1);
+  EXPECT_EQ(std::stoul(found[5].str()), exact.size() - 1);
 }
 
 TEST_F(CliTest, StepMakesDecimalsExact) {
@@ -313,6 +337,92 @@ TEST_F(CliTest, CheckRefusesAnInsideOutSurface) {
   const auto faces = text.find("4 0 2 3 1");
   put("inside-out.off", text.substr(0, faces) + "4 1 3 2 0\n4 6 7 5 4\n4 4 5 1 0\n4 3 7 6 2\n4 2 6 4 0\n4 5 7 3 1\n");
   expect_error(run({"check", "inside-out.off", "--json"}), 1, "inside-out", "inside-out.off");
+}
+
+/// Two cubes as one OFF file, the second one inside out.
+std::string one_body_inside_out() {
+  const std::string faces = "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+  const std::string turned = "4 9 11 10 8\n4 14 15 13 12\n4 12 13 9 8\n4 11 15 14 10\n4 10 14 12 8\n4 13 15 11 9\n";
+  const auto points = [](const std::string& text) { return text.substr(10, text.find("4 0 2 3 1") - 10); };
+  return "OFF\n16 12 0\n" + points(cube("0", "2")) + points(cube("3.5", "4")) + faces + turned;
+}
+
+TEST_F(CliTest, AnInsideOutBodyAmongOthersIsSaid) {
+  put("two.off", one_body_inside_out());
+  const std::string warning =
+      "quoin: warning: 1 shell is inside out and bounds nothing of the solid: dropped "
+      "(two.off, shell at (3.5, 3.5, 3.5))\n";
+  for (const Words& words : std::vector<Words>{{"info", "two.off"},
+                                               {"check", "two.off"},
+                                               {"convert", "two.off", "-o", "out.quoin"},
+                                               {"union", "a.off", "two.off", "-o", "out.quoin"}}) {
+    const Outcome plain = run(words);
+    EXPECT_EQ(plain.code, 0) << plain.err;
+    EXPECT_EQ(plain.err, warning) << words[0];
+    Words quiet = words;
+    quiet.push_back("--quiet");
+    EXPECT_EQ(run(quiet).err, "") << words[0];
+  }
+  const Outcome r = run({"info", "two.off", "--json"});
+  EXPECT_EQ(r.err, warning);
+  EXPECT_EQ(r.json()["volume"], "8");
+  EXPECT_EQ(r.json()["import"][0]["dropped_shells"], 1);
+  EXPECT_EQ(r.json()["import"][0]["dropped_where"], "shell at (3.5, 3.5, 3.5)");
+  EXPECT_EQ(run({"check", "two.off", "--json"}).json()["dropped_shells"], 1);
+  EXPECT_NE(run({"check", "two.off"}).out.find("shells dropped       1"), std::string::npos);
+  EXPECT_EQ(run({"check", "a.off", "--json"}).json()["dropped_shells"], 0);
+}
+
+// A plate of a thousandth of a step, beside a block.
+TEST_F(CliTest, APrimitiveThatVanishesIsSaid) {
+  put("thin.json", R"({"quoin-model": 1, "model": {"rotate": {"axis": "y", "angle": 30, "of": {"union": [
+    {"block": {"size": [10, 20, 1]}}, {"block": {"size": [10, 20, "1/1000"]}}]}}}})");
+  const Words words{"eval", "thin.json", "-o", "out.quoin", "--step", "1", "--rounding", "vertices"};
+  const Outcome plain = run(words);
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.err,
+            "quoin: warning: 1 primitive is about as thin as a grid step, so that rounding vertices leaves nothing: "
+            "dropped (thin.json, primitive 1)\n");
+  Words more = words;
+  more.push_back("--json");
+  const auto rounding = run(more).json()["rounding"];
+  EXPECT_EQ(rounding["vanished_primitives"], 1);
+  EXPECT_EQ(rounding["vanished_where"], "primitive 1");
+}
+
+TEST_F(CliTest, CheckRefusesAMeshWithoutFaces) {
+  put("wires.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 1\n");
+  expect_error(run({"check", "wires.obj", "--json"}), 1, "no-faces", "wires.obj");
+  expect_error(run({"union", "a.off", "wires.obj", "-o", "out.stl", "--json"}), 1, "no-faces", "wires.obj");
+}
+
+TEST_F(CliTest, SplitIntoOneFileByTwoNamesIsRefused) {
+  const std::string precious = cube("0", "3");
+  put("old.off", precious);
+  const auto path = [&](const std::string& name) { return folder() / name; };
+  std::filesystem::create_hard_link(path("old.off"), path("hard.off"));
+  std::filesystem::create_symlink("old.off", path("soft.off"));
+  std::filesystem::create_symlink("soft.off", path("softer.off"));
+  std::filesystem::create_symlink("new.off", path("dangling.off"));
+  std::filesystem::create_directory(path("sub"));
+  std::filesystem::create_directory_symlink("sub", path("other"));
+  const auto before = names();
+  const std::vector<std::array<std::string, 2>> pairs = {
+      {"new.off", "./new.off"},      {"new.off", path("new.off").string()},
+      {"sub/../new.off", "new.off"}, {"sub/new.off", "other/new.off"},
+      {"old.off", "hard.off"},       {"hard.off", "softer.off"},
+      {"soft.off", "old.off"},       {"dangling.off", "new.off"},
+      {"new.off", "./dangling.off"}};
+  for (const auto& [above, below] : pairs) {
+    const Outcome r = run({"split", "a.off", "--plane", "1,0,0,-1/2", "-o", above, below, "--json"});
+    expect_error(r, 2, "usage");
+    EXPECT_EQ(names(), before) << above << " " << below;
+    EXPECT_EQ(get("old.off"), precious);
+    EXPECT_TRUE(std::filesystem::is_empty(path("sub")));
+  }
+  EXPECT_EQ(run({"split", "a.off", "--plane", "1,0,0,-1/2", "-o", "sub/new.off", "new.off"}).code, 0);
+  expect_error(run({"split", "a.off", "--plane", "1,0,0,0", "-o", "no/a.off", "nor/a.off", "--json"}), 1, "unwritable",
+               "no/a.off");
 }
 
 TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
@@ -377,6 +487,16 @@ TEST_F(CliTest, VersionAndHelp) {
     const Outcome one = run({command, "--help"});
     EXPECT_EQ(one.code, 0) << command;
     EXPECT_NE(one.out.find("Examples:"), std::string::npos) << command;
+  }
+}
+
+TEST_F(CliTest, HelpAndErrorsListTheFormats) {
+  const std::string help = run({"--help"}).out, one = run({"convert", "--help"}).out;
+  const std::string refused = run({"info", "a.off", "--format", "dwg"}).err;
+  for (const FormatInfo& info : formats()) {
+    EXPECT_NE(help.find(std::string(info.extension)), std::string::npos) << info.name;
+    EXPECT_NE(one.find(std::string(info.name)), std::string::npos) << info.name;
+    EXPECT_NE(refused.find(std::string(info.name)), std::string::npos) << info.name;
   }
 }
 

@@ -79,6 +79,8 @@ class CliTest : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
 
+  const std::filesystem::path& folder() const { return folder_; }
+
   std::string get(const std::string& name) const { return contents(folder_ / name); }
 
   /// Names in the folder.

@@ -2,7 +2,7 @@
 #include <quoin/quoin.h>
 
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -23,6 +23,34 @@ int fail(const std::string& what) {
   std::fprintf(stderr, "consumer: %s\n", what.c_str());
   return 1;
 }
+
+// A Boolean, a model and a motion before main begins, and again after it has ended.
+class AtBothEnds {
+ public:
+  AtBothEnds() : first_(worked()) {}
+  AtBothEnds(const AtBothEnds&) = delete;
+  AtBothEnds& operator=(const AtBothEnds&) = delete;
+  ~AtBothEnds() {
+    if (worked() == first_) return;
+    std::fputs("consumer: a static object found another result at the end than at the beginning\n", stderr);
+    std::_Exit(1);
+  }
+
+ private:
+  static std::string worked() {
+    const quoin::Solid a = cube(0, {}).value(), b = cube(1, {}).value();
+    const quoin::Motion turn = quoin::Motion::rotation({"0", "0", "1"}, "30").value();
+    const quoin::Model model =
+        quoin::Model::solid(a) + quoin::Model::cylinder("1", "5", "8").turned({"2", "1", "0", "0"});
+    const quoin::Solid of_model = quoin::evaluate(model, {.grid = quoin::Grid::with_step("1/1000").value()}).value();
+    return (a - b).to_quoin() + quoin::moved(b, turn).value().to_quoin() + of_model.to_quoin() +
+           (quoin::statistics().symbolic > 0 ? "" : "nothing was counted");
+  }
+
+  std::string first_;
+};
+
+const AtBothEnds at_both_ends;
 
 }  // namespace
 

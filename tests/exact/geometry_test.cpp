@@ -433,5 +433,12 @@ TEST(GeometryTest, E05GridsOfLines) {
   EXPECT_EQ(grid_of_lines(3, 9, 1, 4), (GridOfLines{392, 16, 24001, 1233, 12305}));
 }
 
+TEST(GeometryTest, TheLongestComponentIsTheFirstOfEquals) {
+  EXPECT_EQ(longest_component(std::array<std::int64_t, 3>{1, -3, 2}), 1u);
+  EXPECT_EQ(longest_component(std::array<std::int64_t, 3>{-2, 2, 2}), 0u);
+  EXPECT_EQ(longest_component(std::array<std::int64_t, 3>{0, 0, -1}), 2u);
+  EXPECT_EQ(longest_component(std::array<int, 4>{0, 0, 0, 0}), 0u);
+}
+
 }  // namespace
 }  // namespace quoin::exact::testing

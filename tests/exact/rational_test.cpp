@@ -216,10 +216,12 @@ TEST(RationalTest, CoordinatesOfPoints) {
 
 TEST(RationalTest, CommonDenominators) {
   const std::array v{Rational(1, 6), Rational(-3, 4), Rational(0), Rational(5)};
-  EXPECT_EQ(common_denominator(v), 12);
-  EXPECT_EQ(common_denominator(std::array{Rational(-7), Rational(0)}), 1);
-  EXPECT_EQ(whole(v, 12), (std::array<Integer, 4>{2, -9, 0, 60}));
-  EXPECT_EQ(whole(v, -24), (std::array<Integer, 4>{-4, 18, 0, -120}));
+  EXPECT_EQ(over_common_denominator(v).denominator, 12);
+  EXPECT_EQ(over_common_denominator(v).numerators, (std::array<Integer, 4>{2, -9, 0, 60}));
+  EXPECT_EQ(over_common_denominator(std::array{Rational(-7), Rational(0)}).denominator, 1);
+  EXPECT_EQ(primitive(std::array{Rational(-1, 6), Rational(3, 4), Rational(-5)}), (std::array<Integer, 3>{-2, 9, -60}));
+  EXPECT_FALSE(are_whole(v));
+  EXPECT_TRUE(are_whole(std::array{Rational(-7), Rational(0)}));
   EXPECT_EQ(primitive(std::array<Integer, 4>{-4, 18, 0, -120}), (std::array<Integer, 4>{-2, 9, 0, -60}));
   EXPECT_EQ(primitive(std::array<Integer, 2>{0, -5}), (std::array<Integer, 2>{0, -1}));
 }

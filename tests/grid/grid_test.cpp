@@ -42,9 +42,9 @@ TEST(FittingLattice, extremes) {
   const double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(fitting_lattice({0, 0, 0}, {least, 0, 0}).value().step, exact::to_rational(least));
   EXPECT_EQ(fitting_lattice({0, 0, 0}, {0x1p1020, 0, 0}).value().step, power(994));
-  EXPECT_EQ(fitting_lattice({0, 0, 0}, {0x1.8p1020, 0, 0}).error().code, "out-of-range");
-  EXPECT_EQ(fitting_lattice({0, 0, 0}, {infinity, 0, 0}).error().code, "non-finite");
-  EXPECT_EQ(fitting_lattice({0, std::nan(""), 0}, {1, 1, 1}).error().code, "non-finite");
+  EXPECT_EQ(fitting_lattice({0, 0, 0}, {0x1.8p1020, 0, 0}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(fitting_lattice({0, 0, 0}, {infinity, 0, 0}).error().code, ErrorCode::non_finite);
+  EXPECT_EQ(fitting_lattice({0, std::nan(""), 0}, {1, 1, 1}).error().code, ErrorCode::non_finite);
 }
 
 TEST(FittingLattice, origin_moves_only_for_far_boxes) {

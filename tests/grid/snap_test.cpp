@@ -111,7 +111,7 @@ TEST(Snap, the_edge_of_the_world) {
     const std::vector<double> out{0, 0, 0, 0, std::nextafter((edge + 0.5) * scale, 1e30), 0};
     const auto refused = snap(out, l);
     ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().code, "out-of-range");
+    EXPECT_EQ(refused.error().code, ErrorCode::out_of_range);
     EXPECT_EQ(refused.error().where.substr(0, 9), "vertex 1 ");
   }
 }
@@ -120,7 +120,7 @@ TEST(Snap, refusals_name_vertex_and_step) {
   const Lattice milli{Rational(1, 1000), {0, 0, 0}};
   const auto far = snap(std::vector<double>{0, 0, 0, 1e6, 0, -3e6}, milli);
   ASSERT_FALSE(far.has_value());
-  EXPECT_EQ(far.error().code, "out-of-range");
+  EXPECT_EQ(far.error().code, ErrorCode::out_of_range);
   EXPECT_EQ(far.error().where, "vertex 1 (1e+06, 0, -3e+06)");
   EXPECT_NE(far.error().message.find("a step of 1/125 would do"), std::string::npos) << far.error().message;
   EXPECT_TRUE(snap(std::vector<double>{0, 0, 0, 1e6, 0, -3e6}, {Rational(1, 125), {0, 0, 0}}).has_value());
@@ -128,11 +128,11 @@ TEST(Snap, refusals_name_vertex_and_step) {
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
       const auto refused = snap(std::vector<double>{0, 0, 0, 1e30, 0, 0, 0, bad, 0}, l);
       ASSERT_FALSE(refused.has_value());
-      EXPECT_EQ(refused.error().code, "non-finite");
+      EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
       EXPECT_EQ(refused.error().where.substr(0, 9), "vertex 2 ");
     }
   for (const Lattice& l : lattices())
-    EXPECT_EQ(snap(std::vector<double>{1e308, -1e308, 5}, l).error().code, "out-of-range");
+    EXPECT_EQ(snap(std::vector<double>{1e308, -1e308, 5}, l).error().code, ErrorCode::out_of_range);
 }
 
 TEST(Snap, extreme_steps) {

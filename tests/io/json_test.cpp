@@ -24,7 +24,7 @@ std::string refusal(const std::string& text) {
   const std::vector<char> copy(text.begin(), text.end());
   const auto json = read_json(std::string_view(copy.data(), copy.size()));
   if (json) return "";
-  EXPECT_EQ(json.error().code, "bad-model");
+  EXPECT_EQ(json.error().code, ErrorCode::bad_model);
   return json.error().where + ": " + json.error().message;
 }
 

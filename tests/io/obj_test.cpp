@@ -79,7 +79,14 @@ TEST(Obj, Errors) {
   EXPECT_EQ(code_of("", Format::obj), "truncated");
   EXPECT_EQ(code_of("<html>\n", Format::obj), "unknown-format");
   EXPECT_EQ(code_of(std::string("v 0 0 0\n\0", 9), Format::obj), "unknown-format");
-  EXPECT_EQ(code_of("# nothing\n", Format::obj), "");
+}
+
+TEST(Obj, AWireframeHasNoFaces) {
+  const std::string wires = "o frame\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 1\np 1\n";
+  EXPECT_EQ(code_of(wires, Format::obj), "no-faces");
+  EXPECT_EQ(test::where_of(wires, Format::obj), "byte " + std::to_string(wires.size()));
+  EXPECT_EQ(code_of("# nothing\n", Format::obj), "no-faces");
+  EXPECT_EQ(code_of(wires + "f 1 2 3\n", Format::obj), "");
 }
 
 TEST(Obj, PrefixesAndMutations) {

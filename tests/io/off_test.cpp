@@ -57,7 +57,7 @@ TEST(Off, Errors) {
   EXPECT_EQ(test::where_of(head + points + "3 0 1 3\n", Format::off), "line 6");
   EXPECT_EQ(code(head + points + "3 0 1 -1\n"), "bad-index");
   EXPECT_EQ(code(head + points + "2 0 1\n"), "bad-syntax");
-  EXPECT_EQ(code(head + points + "3 0 1\n0\n"), "bad-syntax");
+  EXPECT_EQ(code(head + points + "3 0 1\n0 2\n"), "bad-syntax");
   EXPECT_EQ(code(head + points + "3 0 1.5 2\n"), "bad-number");
   EXPECT_EQ(code(head + points + "3 0 1 2\n3 0 1 2\n"), "bad-syntax");
   EXPECT_EQ(code(head + points + "1000 0 1 2\n"), "absurd-count");
@@ -72,6 +72,25 @@ TEST(Off, Errors) {
   EXPECT_EQ(code("OFF\n9223372036854775807 9223372036854775807 0\n" + points), "absurd-count");
   EXPECT_EQ(code("OFF\n3\n1 0\n" + points), "bad-syntax");
   EXPECT_EQ(code("OFF\n"), "truncated");
+}
+
+TEST(Off, NumbersMayRunOnOverLines) {
+  const std::vector<std::uint32_t> corners = {0, 2, 1, 0, 1, 3, 3, 1, 2, 3, 2, 0};
+  for (const char* text : {"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2\n1\n3 0 1 3 3 3 1 2\n3\n3 2 0\n",
+                           "OFF 4 4 6\n0 0 0 1 0\n0 0\n# on\n1 0 0 0 1 3 0 2 1 3 0 1 3 3 3 1 2 3 3 2 0"}) {
+    const Result<PolygonMesh> read = read_mesh(text, Format::off);
+    ASSERT_TRUE(read) << read.error().message << read.error().where;
+    EXPECT_EQ(read.value().points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
+    EXPECT_EQ(read.value().starts, test::triangle_starts(4));
+    EXPECT_EQ(read.value().corners, corners);
+  }
+  // With a number too many the lines have the last word.
+  EXPECT_EQ(test::where_of("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2 2\n", Format::off), "line 6");
+}
+
+TEST(Off, PointsAloneHaveNoFaces) {
+  EXPECT_EQ(code_of("OFF\n0 0 0\n", Format::off), "no-faces");
+  EXPECT_EQ(code_of("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", Format::off), "no-faces");
 }
 
 TEST(Off, PrefixesAndMutations) {

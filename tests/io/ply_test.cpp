@@ -174,6 +174,7 @@ TEST(Ply, HeaderErrors) {
   EXPECT_EQ(code("ply\nformat ascii 2.0\nend_header\n"), "unknown-format");
   EXPECT_EQ(code("ply\n" + usual + "end_header\n"), "bad-syntax");
   EXPECT_EQ(code(plain("", "")), "bad-syntax");
+  EXPECT_EQ(code(plain(usual.substr(0, usual.find("element face")), "0 0 0 1 0 0 0 1 0")), "no-faces");
   EXPECT_EQ(code(plain("property float x\n" + usual, "")), "bad-syntax");
   EXPECT_EQ(code(plain(usual + "property list uchar int vertex_index\n", "")), "bad-syntax");
   EXPECT_EQ(code(plain(usual + "element face 1\n", "")), "bad-syntax");

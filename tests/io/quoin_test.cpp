@@ -64,7 +64,7 @@ std::string refusal(std::string_view text) {
   const std::vector<char> copy(text.begin(), text.end());
   const Result<ExactDocument> read = read_quoin(std::string_view(copy.data(), copy.size()));
   if (!read) {
-    EXPECT_EQ(read.error().code, "bad-quoin");
+    EXPECT_EQ(read.error().code, ErrorCode::bad_quoin);
     EXPECT_EQ(read.error().where.rfind("line ", 0), 0U);
     EXPECT_FALSE(read.error().message.empty());
     return read.error().where + ": " + read.error().message;

@@ -11,7 +11,7 @@ namespace {
 /// "" when the whole text was read as a number, else the code of the error.
 std::string number_code(std::string_view text, double& out) {
   Scanner scanner(text);
-  return scanner.number(out) ? "" : scanner.take_error().code;
+  return scanner.number(out) ? "" : to_string(scanner.take_error().code);
 }
 
 void expect_as_strtod(const std::string& text) {
@@ -133,7 +133,7 @@ TEST(Scanner, IntegersSaturate) {
   const auto integer = [](std::string_view text) {
     Scanner scanner(text);
     std::int64_t value = 0;
-    return scanner.integer(value) ? std::to_string(value) : scanner.take_error().code;
+    return scanner.integer(value) ? std::to_string(value) : to_string(scanner.take_error().code);
   };
   EXPECT_EQ(integer("42"), "42");
   EXPECT_EQ(integer(" +42 "), "42");
@@ -151,7 +151,7 @@ TEST(Scanner, LinesEndInThreeWays) {
     scanner.skip_space();
     EXPECT_EQ(scanner.word(), expected);
   }
-  (void)scanner.fail("code", "message");
+  (void)scanner.fail(ErrorCode::bad_syntax, "message");
   EXPECT_EQ(scanner.take_error().where, "line 4");
 }
 

@@ -119,7 +119,7 @@ TEST(Stl, SizesThatContradictTheCount) {
   std::string bytes = binary("solid", one_facet);
   const Result<PolygonMesh> cut = read_mesh(std::string_view(bytes).substr(0, 133), Format::stl);
   ASSERT_FALSE(cut);
-  EXPECT_EQ(cut.error().code, "truncated");
+  EXPECT_EQ(cut.error().code, ErrorCode::truncated);
   EXPECT_NE(cut.error().message.find("134"), std::string::npos);
   EXPECT_NE(cut.error().message.find("133"), std::string::npos);
   EXPECT_EQ(code_of(bytes + std::string(49, 'x'), Format::stl), "");
@@ -172,6 +172,11 @@ TEST(Stl, AsciiErrorsNameTheLine) {
   EXPECT_EQ(code_of(with("endsolid a name", ""), Format::stl), "truncated");
   EXPECT_EQ(code_of(with("endsolid a name\n", "ends"), Format::stl), "truncated");
   EXPECT_EQ(code_of(std::string(ascii_facet) + "rest", Format::stl), "bad-syntax");
+}
+
+TEST(Stl, WithoutFacets) {
+  EXPECT_EQ(code_of(binary("", {}), Format::stl), "no-faces");
+  EXPECT_EQ(code_of("solid nothing\nendsolid nothing\n", Format::stl), "no-faces");
 }
 
 TEST(Stl, PrefixesAndMutations) {

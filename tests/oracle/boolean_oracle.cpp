@@ -7,8 +7,8 @@
 
 #include <set>
 
-#include "booleans/arrangement.h"
-#include "booleans/export.h"
+#include "booleans/surface/separated.h"
+#include "grid/lists/partition.h"
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {
@@ -30,11 +30,8 @@ Kernel::FT number(const exact::Integer& v) {
   }
   return v < 0 ? Kernel::FT(-r) : r;
 }
-Point point(const exact::Point& p) {
-  const Kernel::FT w = number(exact::to_integer(p.w));
-  return {number(exact::to_integer(p.x[0])) / w, number(exact::to_integer(p.x[1])) / w,
-          number(exact::to_integer(p.x[2])) / w};
-}
+Kernel::FT number(const exact::Rational& v) { return number(numerator(v)) / number(denominator(v)); }
+Point point(const RationalPoint& p) { return {number(p[0]), number(p[1]), number(p[2])}; }
 
 struct Mesh {
   std::vector<Point> points;
@@ -82,7 +79,7 @@ Nef nef_of_cones(const Mesh& mesh) {
 /// A bounded body, shell by shell; a point is inside when an odd number of shells enclose it.
 Nef nef(const Body& body) {
   const Triangulated mesh = separated(body, triangulated(body));
-  Partition parts(mesh.source.size());
+  grid::Partition parts(mesh.vertex_count());
   for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
     const auto t = mesh.triangle(n);
     parts.unite(t[0], t[1]);
@@ -95,22 +92,22 @@ Nef nef(const Body& body) {
   for (const auto& [root, triangles] : shells) {
     Mesh shell;
     std::map<std::uint32_t, std::uint32_t> ids;
-    std::set<std::uint32_t> sources;
+    std::set<RationalPoint> places;
     for (const Triangle& t : triangles) {
       Triangle local{};
       for (std::size_t i = 0; i < 3; ++i) {
         const auto [at, fresh] = ids.try_emplace(t[i], static_cast<std::uint32_t>(ids.size()));
-        if (fresh) shell.points.push_back(point(body.point(mesh.source[t[i]])));
-        sources.insert(mesh.source[t[i]]);
+        if (fresh) {
+          const RationalPoint place = position(body, mesh, t[i]);
+          shell.points.push_back(point(place));
+          places.insert(place);
+        }
         local[i] = at->second;
       }
       shell.triangles.push_back(local);
     }
     // A shell that touches itself is no manifold as a point set.
-    std::set<std::array<std::uint32_t, 2>> edges;
-    for (const Triangle& t : triangles)
-      for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
-    const bool simple = sources.size() == shell.points.size() && edges.size() == 3 * triangles.size();
+    const bool simple = places.size() == shell.points.size();
     sum = sum.symmetric_difference(simple ? nef_of_surface(shell) : nef_of_cones(shell));
   }
   return sum;

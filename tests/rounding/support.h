@@ -7,7 +7,8 @@
 
 #include <random>
 
-#include "rounding/plane_rounding.h"
+#include "rounding/motions/quaternion.h"
+#include "rounding/planes/plane_rounding.h"
 #include "tests/exact/support.h"
 
 namespace quoin::rounding::testing {

@@ -1,0 +1,82 @@
+/// \file
+/// What the line of two planes does with a touched face on one of them.
+#pragma once
+
+#include "booleans/arrangement/touched.h"
+
+namespace quoin::booleans {
+
+/// A place where the line of two planes meets the boundary of a face.
+struct Stop {
+  NewVertex vertex;
+  int left, right;  // net boundary crossings of the strips just left and just right of the line: entering +1
+  bool open;        // the segment from here to the next stop lies in the closed face
+};
+
+/// The stops of a face on a line, in the line's direction.
+struct Trace {
+  std::vector<Stop> stops;
+  int left = 0, right = 0;  // how often the face covers the strips before the first stop
+  bool open = false;        // the closed face holds the line before the first stop
+};
+
+/// The line of a face's plane and another one, on the face's plane; it runs along n_own x n_other (canonical normals).
+struct FaceLine {
+  TouchedId face;
+  PlaneId own, other;
+  int axis;       // in which the line runs
+  int direction;  // +1 when it runs upwards there, else -1
+};
+
+/// Traces lines through faces; owns the points that it makes.
+///
+/// The strip rule. Left of n_f x n_g the plane g is negative: its value grows along n_g, and
+/// n_g . (n_f x (n_f x n_g)) = (n_f . n_g)^2 - |n_f|^2 |n_g|^2 < 0. So on the strip just left of the line a vertex on
+/// the plane counts as positive, on the strip just right of it as negative, and an edge that goes from negative to
+/// positive, having the face on its left (seen from +n_f), enters the face.
+class LineTracer {
+ public:
+  LineTracer(const Touched& touched, const Names& names) : touched_(touched), names_(names) {}
+
+  /// The stops of a face. Of a face with an edge tree only those within `box`, that of the face it may meet, and all of
+  /// those: the crossing of an edge lies in the edge's box.
+  void find_stops(const FaceLine& line, const Box& box, Trace& trace);
+  /// Says which segments between stops lie in the face. `at`: a point of the line within that box, asked where the
+  /// stops of a face with an edge tree leave open how it begins.
+  void find_open_segments(const FaceLine& line, NewVertex at, Trace& trace);
+
+  /// Order along an axis of points on one line that runs in it: 0 exactly for equal points.
+  int compare(int axis, NewVertex u, NewVertex v) const;
+
+  std::vector<exact::Point> points;  // NewVertex::own
+
+ private:
+  const std::array<double, 3>& approximation(NewVertex v) const {
+    return v.is_own() ? points[v.index()].approximation : names_.vertices.approximation(v.named());
+  }
+  exact::Point point(NewVertex v) const { return v.is_own() ? points[v.index()] : names_.vertices.point(v.named()); }
+  int side(NewVertex v, PlaneId plane) const {
+    return v.is_own() ? exact::side(names_.planes[plane], points[v.index()]) : names_.side(v.named(), plane);
+  }
+
+  void add_stops(const FaceLine& line, const BoundaryEdge& edge, std::vector<Stop>& stops);
+  void merge(const FaceLine& line, std::vector<Stop>& stops) const;
+  NewVertex crossing(const FaceLine& line, const BoundaryEdge& edge);
+  int cover_after(const FaceLine& line, NewVertex at, int strip) const;
+  void anchor(const FaceLine& line, NewVertex at, Trace& trace) const;
+
+  /// Both faces at an edge ask for its crossing with a plane, mostly soon after each other.
+  struct Crossing {
+    VertexId low, high;
+    PlaneId plane;
+    NewVertex point;
+  };
+  const Touched& touched_;
+  const Names& names_;
+  std::array<Crossing, 256> crossings_;  // the last ones, by a hash
+};
+
+/// The trace of the same line in the other direction.
+void reverse(Trace& trace);
+
+}  // namespace quoin::booleans

@@ -1,0 +1,150 @@
+#include "booleans/arrangement/names.h"
+
+#include <bit>
+#include <cmath>
+
+namespace quoin::booleans {
+
+PlaneId PlaneTable::id(const exact::Plane& plane) {
+  const exact::Plane key = exact::is_canonical(plane) ? plane : plane.opposite();
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t i = exact::hash(key) & mask;
+  for (; slots_[i] != none; i = (i + 1) & mask)
+    if (planes_[slots_[i]] == key) return slots_[i];
+
+  const PlaneId id = planes_.add(key);
+  slots_[i] = id;
+  approximations_.push_back(exact::approximation(key));
+  if (planes_.size() * 2 > slots_.size()) grow();
+  return id;
+}
+
+void PlaneTable::grow() {
+  slots_.assign(slots_.size() * 2, none);
+  const std::size_t mask = slots_.size() - 1;
+  for (const PlaneId id : Ids<PlaneId>(planes_.size())) {
+    std::size_t i = exact::hash(planes_[id]) & mask;
+    while (slots_[i] != none) i = (i + 1) & mask;
+    slots_[i] = id;
+  }
+}
+
+VertexTable::VertexTable() : slots_(64, none) {}
+
+exact::GridPoint VertexTable::grid_point(VertexId v) const {
+  const auto& a = approximations_[v];
+  return {{static_cast<std::int32_t>(a[0]), static_cast<std::int32_t>(a[1]), static_cast<std::int32_t>(a[2])}};
+}
+
+namespace {
+
+std::size_t hash(const std::array<double, 3>& key) {
+  std::uint64_t h = 0x9E3779B97F4A7C15u;
+  for (double x : key) {
+    h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0xFF51AFD7ED558CCDu;
+    h ^= h >> 29;
+  }
+  return h ^ (h >> 32);
+}
+
+/// Is the point a grid point? Correct rounding maps integers to themselves, so only integral approximations ask.
+bool is_integral(const exact::Point& p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = p.approximation[k];
+    if (a != std::nearbyint(a)) return false;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (exact::compare(exact::Coefficient(static_cast<std::int64_t>(p.approximation[k])) * p.w, p.x[k]) != 0)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+VertexId& VertexTable::slot(const std::array<double, 3>& key, const exact::Point* exact) {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t i = hash(key) & mask;; i = (i + 1) & mask) {
+    const VertexId v = slots_[i];
+    if (v == none) return slots_[i];
+    if (approximations_[v] != key || is_grid(v) != (exact == nullptr)) continue;
+    if (exact == nullptr) return slots_[i];
+    const exact::Point& other = points_[derived_[v]];
+    ++exact::counters().fixed_width;
+    bool equal = true;
+    for (std::size_t k = 0; k < 3 && equal; ++k)
+      equal = exact::compare(exact->x[k] * other.w, other.x[k] * exact->w) == 0;
+    if (equal) return slots_[i];
+  }
+}
+
+void VertexTable::grow() {
+  std::vector<VertexId> old(slots_.size() * 2, none);
+  slots_.swap(old);
+  const std::size_t mask = slots_.size() - 1;
+  for (const VertexId v : old) {
+    if (v == none) continue;
+    std::size_t i = hash(approximations_[v]) & mask;
+    while (slots_[i] != none) i = (i + 1) & mask;
+    slots_[i] = v;
+  }
+}
+
+VertexId VertexTable::insert(const std::array<double, 3>& key, const exact::Point* exact) {
+  VertexId& s = slot(key, exact);
+  if (s != none) return s;
+
+  const VertexId v = approximations_.add(key);
+  s = v;
+  derived_.push_back(exact ? static_cast<std::uint32_t>(points_.size()) : none);
+  if (exact) points_.push_back(*exact);
+  if (approximations_.size() * 2 > slots_.size()) grow();
+  return v;
+}
+
+VertexId VertexTable::id(const exact::GridPoint& p) {
+  return insert({double(p[0]), double(p[1]), double(p[2])}, nullptr);
+}
+
+VertexId VertexTable::id(const exact::Point& p) { return insert(p.approximation, is_integral(p) ? nullptr : &p); }
+
+VertexId VertexTable::id(const Body& body, std::uint32_t v) {
+  return body.is_grid(v) ? id(body.grid_points[v]) : id(body.derived(v));
+}
+
+int VertexTable::side(VertexId v, const exact::Plane& p, const exact::PlaneApproximation& a) const {
+  const int filtered = exact::side_filter(a, approximations_[v]);
+  if (filtered != 2) {
+    ++exact::counters().filter;
+    return filtered;
+  }
+  return is_grid(v) ? exact::side(p, grid_point(v)) : exact::side_exact(p, points_[derived_[v]]);
+}
+
+int VertexTable::compare_along(int k, VertexId u, VertexId v) const {
+  const double a = approximations_[u][static_cast<std::size_t>(k)], b = approximations_[v][static_cast<std::size_t>(k)];
+  if (a != b) return a < b ? -1 : 1;
+  if (u == v || (is_grid(u) && is_grid(v))) return 0;
+  return exact::compare_along(k, point(u), point(v));
+}
+
+int VertexTable::compare_lexicographic(VertexId u, VertexId v) const {
+  if (u == v) return 0;
+  for (int k = 0; k < 3; ++k)
+    if (const int c = compare_along(k, u, v)) return c;
+  assert(false);
+  return 0;
+}
+
+VertexId Names::name(const Body& body, OperandId operand, std::uint32_t v) {
+  OperandNames& own = operands[operand];
+  if (own.name_of.empty()) own.name_of.assign(body.vertex_count(), none);
+
+  VertexId& name = own.name_of[v];
+  if (name == none) {
+    name = vertices.id(body, v);
+    own.listed.push_back(v);
+  }
+  return name;
+}
+
+}  // namespace quoin::booleans

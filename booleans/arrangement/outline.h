@@ -1,0 +1,70 @@
+/// \file
+/// Outlines: the segments and points that are drawn on one sheet, and where they cross, touch and overlap.
+#pragma once
+
+#include "booleans/arrangement/contacts.h"
+#include "booleans/arrangement/frame.h"
+
+namespace quoin::booleans {
+
+/// What is drawn on one sheet.
+struct Outline {
+  struct Segment {
+    VertexId a, b;   // a before b in the frame
+    PlaneId line;    // another plane through both
+    TouchedId face;  // that has it as a boundary, none for a contact
+    int change;      // of the face's cover: left minus right
+  };
+  /// A face begins to cover, or ends, where a segment is crossed from right to left.
+  struct Change {
+    std::uint32_t segment;
+    TouchedId face;
+    int by;
+  };
+  struct Split {
+    std::uint32_t segment;
+    NewVertex vertex;
+  };
+  PlaneId plane;
+  Frame frame;                    // of that plane
+  std::vector<Segment> segments;  // once splits are found: distinct {a, b}, their changes in `changes`
+  std::vector<Change> changes;    // by segment
+  std::vector<VertexId> points;
+  std::vector<Split> splits;
+  std::vector<exact::Point> new_points;  // where segments cross, NewVertex::own
+
+  /// Enters the new points into the table.
+  void name_points(VertexTable& vertices);
+};
+
+/// Makes an outline: what is drawn is added, then the splits are found.
+class OutlineMaker {
+ public:
+  /// Begins an empty outline, in the memory of the one before.
+  OutlineMaker(const Touched& touched, const Names& names, PlaneId plane, Outline& outline);
+
+  void add_face(TouchedId face);
+  void add_segment(const ContactSegment& s);
+  void add_point(VertexId v) { outline_.points.push_back(v); }
+  /// Finds where segments cross, touch and overlap. Points where they cross stay in the outline until they get names.
+  void find_splits();
+
+ private:
+  using Segment = Outline::Segment;
+
+  bool before(VertexId a, VertexId b) const { return outline_.frame.compare(names_.vertices, a, b) < 0; }
+  bool strictly_inside(VertexId v, const Segment& s) const { return before(s.a, v) && before(v, s.b); }
+
+  void unite_equal_segments();
+  template <class Visit>
+  void close_pairs(Visit visit) const;
+  void split_pair(std::uint32_t s, std::uint32_t t);
+  void split_collinear(std::uint32_t s, std::uint32_t t);
+  void split_by_point(std::uint32_t s, VertexId v);
+
+  const Touched& touched_;
+  const Names& names_;
+  Outline& outline_;
+};
+
+}  // namespace quoin::booleans

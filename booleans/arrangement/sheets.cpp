@@ -1,0 +1,136 @@
+#include "booleans/arrangement/sheets.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "booleans/arrangement/outline.h"
+#include "booleans/arrangement/subdivision.h"
+#include "grid/lists/buckets.h"
+#include "grid/lists/stretches.h"
+
+namespace quoin::booleans {
+
+Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists)
+    : sheets_(std::move(sheets)), lists_(std::move(lists)) {
+  for (const Sheet& s : sheets_) {
+    first_node_.push_back(first_node_.back().value + static_cast<std::uint32_t>(s.facet_count()));
+    first_element_.push_back(first_element_.back().value + static_cast<std::uint32_t>(s.elements.size()));
+  }
+  sheet_of_.resize(first_node_.back().value);
+  for (const SheetId s : ids())
+    for (const NodeId n : nodes(s)) sheet_of_[n] = s;
+}
+
+namespace {
+
+/// What is drawn on each sheet, before it is drawn.
+struct Plan {
+  ById<SheetId, PlaneId> plane;
+  grid::Buckets<> faces, segments, points;  // by sheet
+
+  Plan(const Touched& touched, const Contacts& contacts, std::size_t planes) {
+    ById<PlaneId, SheetId> sheet_of(planes);
+    for (const TouchedFace& f : touched.faces)
+      if (sheet_of[f.plane] == none) sheet_of[f.plane] = plane.add(f.plane);
+
+    const std::size_t n = plane.size();
+    const auto sheet = [&](PlaneId p) { return sheet_of[p].value; };
+    faces = grid::in_buckets(touched.faces.size(), n, [&](TouchedId t) { return sheet(touched.faces[t].plane); });
+    segments = grid::in_buckets(contacts.segments.size(), n,
+                                [&](std::uint32_t i) { return sheet(contacts.segments[i].plane); });
+    points =
+        grid::in_buckets(contacts.points.size(), n, [&](std::uint32_t i) { return sheet(contacts.points[i].plane); });
+  }
+};
+
+/// Where a sheet's lists begin, until all that share the lists are drawn.
+struct Extent {
+  std::size_t element, cover_start, cover, isolated;
+  explicit Extent(const SheetLists& l)
+      : element(l.elements.size()),
+        cover_start(l.cover_start.size()),
+        cover(l.cover.size()),
+        isolated(l.isolated.size()) {}
+};
+
+/// Sheets drawn into common lists.
+struct Batch {
+  struct Drawn {
+    SheetId sheet;
+    Extent begin;
+  };
+  struct Open {
+    SheetId sheet;
+    Outline outline;
+  };
+  SheetLists lists;
+  std::vector<Drawn> drawn;
+  std::vector<Open> open;  // sheets that wait for the names of new points
+
+  void add(SheetId sheet, Subdivider& subdivider, Outline& outline) {
+    drawn.push_back({sheet, Extent(lists)});
+    subdivider.draw(outline, lists);
+  }
+  void finish(ById<SheetId, Sheet>& sheets) const {
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const Extent &at = drawn[i].begin, end = i + 1 < drawn.size() ? drawn[i + 1].begin : Extent(lists);
+      Sheet& s = sheets[drawn[i].sheet];
+      s.elements = std::span(lists.elements).subspan(at.element, end.element - at.element);
+      s.clockwise = std::span(lists.clockwise).subspan(2 * at.element, 2 * s.elements.size());
+      s.facet = std::span(lists.facet).subspan(2 * at.element, 2 * s.elements.size());
+      s.cover_start = std::span(lists.cover_start).subspan(at.cover_start, end.cover_start - at.cover_start);
+      s.cover = std::span(lists.cover).subspan(at.cover, end.cover - at.cover);
+      s.isolated = std::span(lists.isolated).subspan(at.isolated, end.isolated - at.isolated);
+    }
+  }
+};
+
+/// The memory of a thread, kept from sheet to sheet.
+struct Desk {
+  Outline outline;
+  Subdivider subdivider;
+};
+
+}  // namespace
+
+Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& names) {
+  const Plan plan(touched, contacts, names.planes.size());
+  const std::size_t n = plan.plane.size();
+  tbb::enumerable_thread_specific<Desk> desks([&] { return Desk{{}, Subdivider(names)}; });
+  ById<SheetId, Sheet> sheets(n);
+
+  // Sheets whose segments cross in new points wait until these have names.
+  constexpr std::size_t length = 64;
+  std::vector<Batch> batches((n + length - 1) / length);
+  grid::in_stretches(n, length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    Desk& desk = desks.local();
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      sheets[i].plane = plan.plane[i];
+      OutlineMaker maker(touched, names, plan.plane[i], desk.outline);
+      for (const std::uint32_t f : plan.faces[i]) maker.add_face(f);
+      for (const std::uint32_t s : plan.segments[i]) maker.add_segment(contacts.segments[s]);
+      for (const std::uint32_t p : plan.points[i]) maker.add_point(contacts.points[p].vertex);
+      maker.find_splits();
+      if (desk.outline.new_points.empty())
+        batches[b].add(i, desk.subdivider, desk.outline);
+      else
+        batches[b].open.push_back({i, std::move(desk.outline)});
+    }
+  });
+
+  // In the order of the sheets: the same ids for any number of threads.
+  for (Batch& batch : batches)
+    for (auto& open : batch.open) open.outline.name_points(names.vertices);
+
+  grid::in_stretches(batches.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+    for (auto& open : batches[b].open) batches[b].add(open.sheet, desks.local().subdivider, open.outline);
+  });
+
+  std::vector<SheetLists> lists;
+  for (Batch& batch : batches) {
+    batch.finish(sheets);
+    lists.push_back(std::move(batch.lists));  // vectors keep their items where they are
+  }
+  return Sheets(std::move(sheets), std::move(lists));
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,276 @@
+#include "booleans/arrangement/touched.h"
+
+#include "grid/lists/stretches.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// The touched faces of one operand, before their planes and vertices have names.
+struct Part {
+  struct Edge {
+    std::uint32_t from, to;  // own vertices
+    std::uint32_t other;     // index into planes
+  };
+  struct Use {
+    std::uint32_t from, to, face;  // own vertices, own face
+  };
+  ById<TouchedId, TouchedFace> faces;  // their planes are to come; ranges count from this part's first
+  std::vector<exact::Plane> planes;    // those of the faces, then others
+  std::vector<Edge> edges;
+  std::vector<std::uint32_t> isolated;  // own vertices
+  std::vector<Use> untouched;
+  std::vector<std::uint32_t> members;  // own faces
+};
+
+bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q || p == q.opposite(); }
+
+/// Collects the touched faces of one operand.
+class Collector {
+ public:
+  /// `named`: the faces in pairs, own numbers in ascending order. `touched_of`: by own face, of this operand.
+  Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named,
+            std::span<TouchedId> touched_of)
+      : body_(operands[operand]), touched_of_(touched_of) {
+    index(operands, operand, named);
+    reserve(named.size());
+
+    for (const std::uint32_t f : named) {
+      if (touched_of_[f] != none) continue;
+      if (f < body_.triangles.size())
+        add_flat_region(f);
+      else
+        add_polygon(f);
+    }
+    for (const TouchedId t : Ids<TouchedId>(part.faces.size())) find_other_planes(t);
+  }
+
+  Part part;
+  std::unique_ptr<const Adjacency> adjacency;
+
+ private:
+  /// A face with a vertex of the named faces has that vertex in their box.
+  void index(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named) {
+    std::vector<std::uint8_t> marked(body_.vertex_count());
+    Box box;
+    for (const std::uint32_t f : named) {
+      for (const std::uint32_t v : body_.corners_of(f)) marked[v] = 1;
+      box.add(face_box(body_, f));
+    }
+    adjacency = std::make_unique<const Adjacency>(body_, std::move(marked), operands.chunks_meeting(operand, box));
+  }
+
+  void reserve(std::size_t named) {
+    part.faces.reserve(named);
+    part.planes.reserve(4 * named);
+    part.edges.reserve(4 * named);
+    part.members.reserve(2 * named);
+  }
+
+  /// Knows one end of the edge. Regions that reach far make it complete.
+  const Adjacency& at_edge(std::uint32_t u, std::uint32_t v) {
+    if (!adjacency->knows(u) && !adjacency->knows(v)) adjacency = std::make_unique<const Adjacency>(body_);
+    return *adjacency;
+  }
+
+  void begin_region(std::uint32_t f, const exact::Plane& plane) {
+    TouchedFace face{};
+    face.source = f;
+    face.along = exact::is_canonical(plane);
+    face.edges_begin = static_cast<std::uint32_t>(part.edges.size());
+    face.isolated_begin = static_cast<std::uint32_t>(part.isolated.size());
+    part.faces.push_back(face);
+    part.planes.push_back(plane);
+  }
+  void add_member(std::uint32_t f) {
+    touched_of_[f] = static_cast<std::uint32_t>(part.faces.size() - 1);
+    part.faces.back().box.add(face_box(body_, f));
+    part.members.push_back(f);
+  }
+  void end_region() {
+    part.faces.back().edges_end = static_cast<std::uint32_t>(part.edges.size());
+    part.faces.back().isolated_end = static_cast<std::uint32_t>(part.isolated.size());
+  }
+
+  /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
+  void add_flat_region(std::uint32_t t) {
+    const exact::Plane plane = body_.plane(t);
+    const std::size_t first = part.members.size();
+    begin_region(t, plane);
+    add_member(t);
+
+    for (std::size_t i = first; i < part.members.size(); ++i) {
+      const std::uint32_t member = part.members[i];
+      body_.for_edges(member, [&](std::uint32_t u, std::uint32_t v) {
+        const std::uint32_t mate = coplanar_mate(member, u, v, plane);
+        if (mate == none)
+          part.edges.push_back({u, v, none});
+        else if (touched_of_[mate] == none)
+          add_member(mate);
+      });
+    }
+    end_region();
+  }
+
+  /// The triangle that continues triangle t over its directed edge (u, v), if the edge is no real edge.
+  std::uint32_t coplanar_mate(std::uint32_t t, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) {
+    std::uint32_t mate = none;
+    int faces = 0;
+    bool reversed = false;
+    at_edge(u, v).faces_at_edge(u, v, [&](std::uint32_t f, bool forward) {
+      ++faces;
+      if (f != t) mate = f, reversed = !forward;
+    });
+    if (faces != 2 || mate == none || !reversed || mate >= body_.triangles.size()) return none;
+
+    const auto& c = body_.triangles[mate];
+    for (const std::uint32_t w : c)
+      if (w != u && w != v && exact::side(plane, body_.grid_points[w]) != 0) return none;
+    const auto other = exact::plane_through(body_.grid_points[c[0]], body_.grid_points[c[1]], body_.grid_points[c[2]]);
+    return other && *other == plane ? mate : none;
+  }
+
+  void add_polygon(std::uint32_t f) {
+    begin_region(f, body_.planes[body_.polygon(f)]);
+    add_member(f);
+    body_.polygons.for_loops(body_.polygon(f), [&](std::span<const std::uint32_t> loop) {
+      if (loop.size() == 1) part.isolated.push_back(loop[0]);
+      grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { part.edges.push_back({u, v, none}); });
+    });
+    end_region();
+  }
+
+  /// Gives every edge of a face its other plane and lists the untouched faces that hang at it.
+  void find_other_planes(TouchedId t) {
+    const exact::Plane own = part.planes[t.value];
+    const auto new_plane = [&](const exact::Plane& plane) {
+      part.planes.push_back(plane);
+      return static_cast<std::uint32_t>(part.planes.size() - 1);
+    };
+
+    for (std::uint32_t i = part.faces[t].edges_begin; i < part.faces[t].edges_end; ++i) {
+      Part::Edge& e = part.edges[i];
+      at_edge(e.from, e.to).faces_at_edge(e.from, e.to, [&](std::uint32_t f, bool forward) {
+        const TouchedId g = touched_of_[f];
+        if (g == t) return;
+        if (g != none) {
+          if (!same_plane(part.planes[g.value], own)) e.other = g.value;
+          return;
+        }
+        part.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, f});
+        if (const exact::Plane plane = body_.plane(f); !same_plane(plane, own)) e.other = new_plane(plane);
+      });
+      if (e.other != none) continue;
+      assert(body_.is_grid(e.from) && body_.is_grid(e.to));
+      e.other = new_plane(exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], own));
+    }
+  }
+
+  const Body& body_;
+  const std::span<TouchedId> touched_of_;
+};
+
+/// Gives the planes and vertices of a part their names, and adds it.
+void add_part(const Operands& operands, OperandId operand, const Part& part, Names& names, Touched& out) {
+  std::vector<PlaneId> plane_id;
+  plane_id.reserve(part.planes.size());
+  for (const exact::Plane& p : part.planes) plane_id.push_back(names.planes.id(p));
+  const auto name = [&](std::uint32_t v) { return names.name(operands[operand], operand, v); };
+
+  const TouchedId first_face = out.faces.next_id();
+  const auto first_edge = static_cast<std::uint32_t>(out.edges.size()),
+             first_isolated = static_cast<std::uint32_t>(out.isolated.size());
+  for (const TouchedId t : Ids<TouchedId>(part.faces.size())) {
+    TouchedFace face = part.faces[t];
+    for (std::uint32_t i = face.edges_begin; i < face.edges_end; ++i) {
+      const Part::Edge& e = part.edges[i];
+      const VertexId from = name(e.from), to = name(e.to);
+      out.edges.push_back({from, to, plane_id[e.other]});
+    }
+    for (std::uint32_t i = face.isolated_begin; i < face.isolated_end; ++i)
+      out.isolated.push_back(name(part.isolated[i]));
+    face.operand = operand;
+    face.plane = plane_id[t.value];
+    face.edges_begin += first_edge;
+    face.edges_end += first_edge;
+    face.isolated_begin += first_isolated;
+    face.isolated_end += first_isolated;
+    out.faces.push_back(face);
+  }
+
+  for (const Part::Use& u : part.untouched)
+    out.untouched.push_back({name(u.from), name(u.to), operand, operands.face(operand, u.face)});
+  for (const std::uint32_t f : part.members) {
+    const FaceId member = operands.face(operand, f);
+    out.touched_of[member] = out.touched_of[member].value + first_face.value;
+    out.members.push_back(member);
+  }
+}
+
+/// By operand, ascending: the faces that the pairs name.
+ById<OperandId, std::vector<std::uint32_t>> named_faces(const Operands& operands, const FacePairs& pairs) {
+  ById<OperandId, std::vector<std::uint32_t>> named(operands.bodies.size());
+  for (const FacePair& p : pairs)
+    for (const FaceId id : p) {
+      const OwnFace f = operands.own(id);
+      named[f.operand].push_back(f.face);
+    }
+  for (auto& list : named) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return named;
+}
+
+std::unique_ptr<const BoxTree> tree_of_edges(const Touched& touched, TouchedId t, const VertexTable& vertices) {
+  std::vector<BoxTree::Item> items;
+  for (std::uint32_t e = touched.faces[t].edges_begin; e < touched.faces[t].edges_end; ++e) {
+    Box box;
+    box.add(vertices.approximation(touched.edges[e].from));
+    box.add(vertices.approximation(touched.edges[e].to));
+    items.push_back({box, e, e});
+  }
+  return std::make_unique<const BoxTree>(items);
+}
+
+}  // namespace
+
+Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names& names) {
+  const auto named = named_faces(operands, pairs);
+  const std::size_t n = operands.bodies.size();
+  Touched out;
+  out.cover_once = operands.are_clean;
+  out.touched_of.assign(operands.face_count(), none);
+  out.adjacency.resize(n);
+  names.operands.resize(n);
+
+  ById<OperandId, Part> parts(n);
+  grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
+    const OperandId o = static_cast<std::uint32_t>(i);
+    if (named[o].empty()) return;
+    const std::span<TouchedId> own =
+        std::span(out.touched_of).subspan(operands.base[o].value, operands[o].face_count());
+    Collector collector(operands, o, named[o], own);
+    parts[o] = std::move(collector.part);
+    out.adjacency[o] = std::move(collector.adjacency);
+  });
+
+  std::size_t faces = 0, edges = 0, members = 0;
+  for (const Part& p : parts) faces += p.faces.size(), edges += p.edges.size(), members += p.members.size();
+  out.faces.reserve(faces);
+  out.edges.reserve(edges);
+  out.members.reserve(members);
+  for (const OperandId o : operands.ids()) {
+    add_part(operands, o, parts[o], names, out);
+    parts[o] = {};
+  }
+
+  out.edge_tree.resize(out.faces.size());
+  grid::in_stretches(out.faces.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
+      if (out.faces[t].edge_count() > grid::thresholds().large_face)
+        out.edge_tree[t] = tree_of_edges(out, t, names.vertices);
+  });
+  return out;
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,101 @@
+#include "booleans/assemble/making.h"
+
+namespace quoin::booleans {
+
+void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box) {
+  if (begin == end) return;
+  if (!chunks.empty() && chunks.back().end == begin && end - chunks.back().begin <= grid::thresholds().chunk &&
+      chunks.back().box.meets(box)) {
+    chunks.back().end = end;
+    chunks.back().box.add(box);
+  } else {
+    chunks.push_back({begin, end, box});
+  }
+}
+
+OperandId find_host(const Arrangement& a, const Selection& selection) {
+  for (const OperandId o : a.operands.ids()) {
+    const std::size_t own = a.operands[o].face_count(), others = a.operands.face_count() - own + a.touched.faces.size();
+    const NodeId far = a.patches().far[o];
+    if (own >= grid::thresholds().host * others && far != none && selection.kept[far] > 0) return o;
+  }
+  return none;
+}
+
+namespace {
+
+/// Gives derived points new ids, so that there is room for new grid points and for some more.
+void move_derived(Body& body, std::size_t new_points) {
+  const auto from = static_cast<std::uint32_t>(body.derived_base());
+  const std::size_t grid = body.grid_points.size();
+  body.room = static_cast<std::uint32_t>(grid + grid / 4 + 2 * new_points);
+  for (std::uint32_t& v : body.polygons.corners.edit())
+    if (v >= from) v += body.room - from;
+}
+
+/// A run of faces of a chunk of the host stays; own numbers.
+void keep_run(Making& m, const Box& box, std::uint32_t begin, std::uint32_t end) {
+  const auto raw = static_cast<std::uint32_t>(m.a.operands[m.host].triangles.size());
+  if (begin < raw)
+    keep_chunk(m.raw_chunks, begin, end, box);
+  else
+    keep_chunk(m.polygon_chunks, begin - raw, end - raw, box);
+}
+
+/// A face of the host that is near what is touched: does it stay as it is? Its vertices then keep their names.
+bool stays_as_it_is(Making& m, std::uint32_t face) {
+  const Body& host = m.a.operands[m.host];
+  if (m.kept(m.a.operands.face(m.host, face)) <= 0) return false;
+
+  const auto corners = host.corners_of(face);
+  if (face < host.triangles.size()) {
+    for (const std::uint32_t v : corners) m.vertices.named(m.host, v);
+    return true;
+  }
+  return std::none_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return m.vertices.in_table(m.host, v); });
+}
+
+void keep_near_chunk(Making& m, const OperandChunk& c) {
+  const Body& host = m.a.operands[m.host];
+  std::uint32_t begin = m.a.operands.own(m.host, c.begin);
+  for (const FaceId f : Ids<FaceId>(c.begin, c.end)) {
+    const std::uint32_t own = m.a.operands.own(m.host, f);
+    if (stays_as_it_is(m, own)) continue;
+    keep_run(m, c.box, begin, own);
+    begin = own + 1;
+    if (m.kept(f) != 0) m.changed.push_back(own);
+    if (own >= host.triangles.size()) m.body.gone_corners += host.corner_count(own);
+  }
+  keep_run(m, c.box, begin, m.a.operands.own(m.host, c.end));
+}
+
+}  // namespace
+
+void keep_host(Making& m) {
+  const Operands& operands = m.a.operands;
+  const Body& host = operands[m.host];
+  m.body = host;
+  m.body.is_packed = false;
+  m.body.chunks.clear();
+
+  std::size_t new_points = m.a.names.vertices.size();
+  for (const Body* other : operands.bodies) new_points += other == &host ? 0 : other->grid_points.size();
+  if (host.grid_points.size() + new_points > host.derived_base()) move_derived(m.body, new_points);
+
+  Box table;
+  for (const std::uint32_t v : m.a.names.operands[m.host].listed) table.add(host.approximation(v));
+  for (const OperandChunk& c : operands.chunks_of(m.host)) {
+    if (c.far && !c.box.meets(table))
+      keep_run(m, c.box, operands.own(m.host, c.begin), operands.own(m.host, c.end));
+    else
+      keep_near_chunk(m, c);
+  }
+}
+
+bool is_tight(const Body& body) {
+  std::size_t live = 0;
+  for (const Chunk& c : body.chunks) live += c.end - c.begin;
+  return 4 * (body.face_count() - live) <= live && 5 * body.gone_corners <= body.polygons.corners.size();
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,101 @@
+#include "booleans/assemble/making.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// Adds the merged regions of all sheets to what waits.
+void add_regions(Making& m) {
+  const Regions merged = merged_regions(m.a, m.selection);
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    merged.loops.for_loops(i, [&](std::span<const std::uint32_t> loop) {
+      for (const std::uint32_t v : loop) m.waiting.loops.corners.push_back(m.vertices.place_of_table(v).value);
+      m.waiting.loops.end_loop();
+    });
+    m.waiting.close(merged.planes[i]);
+  }
+}
+
+void add_neighbour(ResultVertices::Place& place, PlaceId q) {
+  place.used = true;
+  auto& n = place.neighbours;
+  if (n[0] == none || n[0] == q)
+    n[0] = q;
+  else if (n[1] == none || n[1] == q)
+    n[1] = q;
+  else
+    place.fixed = true;
+}
+
+/// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
+/// through both of its edges, so both lie on the line of their planes.
+Regions without_straight_vertices(Making& m) {
+  auto& places = m.vertices.places();
+  for (std::size_t r = 0; r < m.waiting.size(); ++r)
+    m.waiting.loops.for_edges(r, [&](std::uint32_t p, std::uint32_t q) {
+      add_neighbour(places[p], q);
+      add_neighbour(places[q], p);
+    });
+
+  Regions kept;
+  for (std::size_t r = 0; r < m.waiting.size(); ++r) {
+    m.waiting.loops.for_loops(r, [&](std::span<const std::uint32_t> loop) {
+      const std::size_t before = kept.loops.corners.size();
+      for (const std::uint32_t p : loop)
+        if (loop.size() == 1 ? places[p].used : places[p].fixed) kept.loops.corners.push_back(p);
+      if (kept.loops.corners.size() > before) kept.loops.end_loop();
+    });
+    kept.close(m.waiting.planes[r]);
+  }
+  return kept;
+}
+
+/// Gives the places that regions have their ids, grid points first.
+ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions& regions) {
+  auto& places = m.vertices.places();
+  ById<PlaceId, std::uint32_t> id(places.size(), none);
+  ById<PlaceId, std::uint8_t> needed(places.size());
+  for (const std::uint32_t p : regions.loops.corners) needed[p] = 1;
+
+  for (const bool grid : {true, false})
+    for (const PlaceId i : Ids<PlaceId>(places.size())) {
+      const ResultVertices::Place& p = places[i];
+      if (!needed[i] || m.vertices.is_grid(p) != grid) continue;
+      ResultName name = m.vertices.known_name(p);
+      if (name.is_none()) name = m.vertices.add_point(p);
+      id[i] = m.final_id(name);
+    }
+  return id;
+}
+
+/// Writes regions as faces; triangles between grid points are raw.
+void write(Making& m, const Regions& regions, const ById<PlaceId, std::uint32_t>& id) {
+  Body& body = m.body;
+  const auto grid_count = static_cast<std::uint32_t>(body.grid_points.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto corners = regions.loops.corners_of(i);
+    if (regions.loops.loop_count(i) == 1 && corners.size() == 3 &&
+        std::all_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return id[p] < grid_count; })) {
+      body.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
+      continue;
+    }
+    regions.loops.for_loops(i, [&](std::span<const std::uint32_t> loop) {
+      for (const std::uint32_t p : loop) body.polygons.corners.push_back(id[p]);
+      body.polygons.end_loop();
+    });
+    m.close_polygon(regions.planes[i]);
+  }
+}
+
+}  // namespace
+
+void join_regions(Making& m) {
+  add_regions(m);
+  const Regions regions = without_straight_vertices(m);
+  const auto id = numbered(m, regions);
+
+  if (m.host == none)
+    for (std::uint32_t& c : m.body.polygons.corners.edit()) c = m.final_id(ResultName::of_corner(c));
+  write(m, regions, id);
+}
+
+}  // namespace quoin::booleans

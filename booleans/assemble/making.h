@@ -1,0 +1,65 @@
+/// \file
+/// A result in the making: the body, its vertices, and what is still to be written.
+#pragma once
+
+#include "booleans/assemble/regions.h"
+#include "booleans/assemble/result_vertices.h"
+
+namespace quoin::booleans {
+
+struct Making {
+  const Arrangement& a;
+  const Selection& selection;
+  OperandId host;  // whose lists the body shares, none when it shares none
+  Body body;
+  ResultVertices vertices;
+  /// Faces that wait until all are known: their corners are places (PlaceId).
+  Regions waiting;
+  /// Untouched faces of the host that stay, but not as they are; own numbers.
+  std::vector<std::uint32_t> changed;
+  /// Of copied faces; polygons count from the first polygon.
+  std::vector<Chunk> raw_chunks, polygon_chunks;
+  std::uint32_t listed_polygons = 0;  // polygons before this one are in chunks
+
+  Making(const Arrangement& arrangement, const Selection& s, OperandId host_operand)
+      : a(arrangement), selection(s), host(host_operand), vertices(arrangement, host_operand, body) {}
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+  /// +1 an untouched face stays, -1 turned round, 0 it goes or is touched.
+  int kept(FaceId f) const {
+    const NodeId patch = a.patches().of[f];
+    return patch == none ? 0 : selection.kept[patch];
+  }
+  /// The id of a vertex. Precondition: all grid points are there, or the body has room for them.
+  std::uint32_t final_id(ResultName name) const {
+    return name.is_derived() ? static_cast<std::uint32_t>(body.derived_base()) + name.index() : name.index();
+  }
+  /// A name as a corner; as an id, if ids of derived points are known already.
+  std::uint32_t corner(ResultName name) const { return host == none ? name.as_corner() : final_id(name); }
+  void close_polygon(const exact::Plane& plane) {
+    body.planes.push_back(plane);
+    body.polygons.end_face();
+  }
+};
+
+/// Adds a chunk of the faces begin .. end - 1, those that stay of one chunk; short ones that follow each other are one.
+void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box);
+
+/// An operand whose lists the result may share: all of it but little lies far from the others and stays; else none.
+OperandId find_host(const Arrangement& a, const Selection& selection);
+/// Begins with the host's lists. Of its chunks remains what stays as it is; other faces of it are left to `changed`.
+void keep_host(Making& m);
+/// Does the body share so little that is gone that sharing pays?
+bool is_tight(const Body& body);
+
+/// Copies the untouched raw triangles that stay, operand by operand, side by side; those of the host that are turned
+/// round follow.
+void copy_raw(Making& m);
+/// Copies the untouched polygons that have no vertex in the table; the others wait.
+void copy_polygons(Making& m);
+
+/// Adds the regions of the sheets to what waits, drops vertices inside straight edges, and writes all that waits.
+void join_regions(Making& m);
+
+}  // namespace quoin::booleans

@@ -1,0 +1,27 @@
+/// \file
+/// The polygons of a result that come from sheets.
+#pragma once
+
+#include "booleans/classify/selection.h"
+#include "grid/lists/loops.h"
+
+namespace quoin::booleans {
+
+/// Polygons in the making, one after the other.
+struct Regions {
+  std::vector<exact::Plane> planes;  // one a region, outwards
+  grid::Loops<std::uint32_t> loops;
+
+  std::size_t size() const { return planes.size(); }
+  /// The loops that were added since the last region make one.
+  void close(const exact::Plane& plane) {
+    planes.push_back(plane);
+    loops.end_face();
+  }
+};
+
+/// Kept facets of each sheet that hang together over elements at which exactly two kept facets meet. A loop of one
+/// corner is a vertex inside the region. Corners are table ids; regions come in the order of the sheets.
+Regions merged_regions(const Arrangement& a, const Selection& selection);
+
+}  // namespace quoin::booleans

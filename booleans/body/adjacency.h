@@ -1,0 +1,83 @@
+/// \file
+/// Which faces meet at an edge or a vertex of one body.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "booleans/body/body.h"
+
+namespace quoin::booleans {
+
+/// Incidence of one body: triangles by counting, polygon edges by sorting. The body must outlive it.
+class Adjacency {
+ public:
+  /// Of all vertices.
+  explicit Adjacency(const Body& body);
+  /// Of the marked vertices only, and of their edges. `where` holds all faces that have one.
+  Adjacency(const Body& body, std::vector<std::uint8_t> marked, std::span<const Chunk> where);
+
+  bool is_complete() const { return marked_.empty(); }
+  bool knows(std::uint32_t v) const { return is_complete() || marked_[v]; }
+
+  /// visit(face, forward) for every face with the edge {u, v}, one end of which is known; forward: the face runs from u
+  /// to v.
+  template <class Visit>
+  void faces_at_edge(std::uint32_t u, std::uint32_t v, Visit&& visit) const {
+    assert(knows(u) || knows(v));
+    // From the end with fewer triangles: the hub of a fan has them all.
+    const bool turned = !knows(u) || (knows(v) && triangle_count(v) < triangle_count(u));
+    const std::uint32_t at = turned ? v : u, to = turned ? u : v;
+    for_triangles(at, [&](std::uint32_t t, std::size_t corner) {
+      const auto& c = body_.triangles[t];
+      if (c[(corner + 1) % 3] == to) visit(t, !turned);
+      if (c[(corner + 2) % 3] == to) visit(t, turned);
+    });
+    for_polygon_edges(at, [&](const PolygonEdge& e) {
+      if (e.to == to) visit(e.face, e.forward != turned);
+    });
+  }
+
+  /// visit(face, w, forward) for every edge {v, w} of every face at the known vertex v; forward: the face runs from v
+  /// to w.
+  template <class Visit>
+  void edges_at_vertex(std::uint32_t v, Visit&& visit) const {
+    for_triangles(v, [&](std::uint32_t t, std::size_t corner) {
+      const auto& c = body_.triangles[t];
+      visit(t, c[(corner + 1) % 3], true);
+      visit(t, c[(corner + 2) % 3], false);
+    });
+    for_polygon_edges(v, [&](const PolygonEdge& e) { visit(e.face, e.to, e.forward); });
+  }
+
+ private:
+  void index(std::span<const Chunk> where);
+
+  struct PolygonEdge {
+    std::uint32_t from, to, face;
+    bool forward;
+  };
+
+  std::uint32_t triangle_count(std::uint32_t u) const {
+    return u < body_.grid_points.size() ? start_[u + 1] - start_[u] : 0;
+  }
+  template <class Visit>
+  void for_triangles(std::uint32_t u, Visit&& visit) const {
+    if (u >= body_.grid_points.size()) return;
+    for (std::uint32_t i = start_[u]; i < start_[u + 1]; ++i) visit(corner_[i] / 3, corner_[i] % 3);
+  }
+  template <class Visit>
+  void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
+    auto at = std::lower_bound(edges_.begin(), edges_.end(), u,
+                               [](const PolygonEdge& e, std::uint32_t w) { return e.from < w; });
+    for (; at != edges_.end() && at->from == u; ++at) visit(*at);
+  }
+
+  const Body& body_;
+  std::vector<std::uint8_t> marked_;           // empty: all
+  std::vector<std::uint32_t> start_, corner_;  // triangle corners (3 t + k) by vertex
+  std::vector<PolygonEdge> edges_;             // both directions, sorted
+};
+
+}  // namespace quoin::booleans

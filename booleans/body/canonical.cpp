@@ -1,0 +1,413 @@
+#include "booleans/body/canonical.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "booleans/body/half_edges.h"
+#include "exact/predicates.h"
+#include "exact/rational.h"
+#include "grid/lists/partition.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// A face and a vertex inside it.
+using PointInFace = std::array<std::uint32_t, 2>;
+
+// 1. Half-edges
+
+HalfEdges half_edges(const Body& body) {
+  return booleans::half_edges(body.face_count(), body.vertex_count(),
+                              3 * body.triangles.size() + body.polygons.corners.size(),
+                              [&](std::uint32_t f, auto&& visit) { body.for_edges(f, visit); });
+}
+
+// 2. Merged faces
+
+bool coplanar(const Body& body, std::uint32_t f, std::uint32_t g) {
+  const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
+  if (f >= triangles || g >= triangles) return body.plane(f) == body.plane(g);
+
+  const auto &a = body.triangles[f], &b = body.triangles[g];
+  const auto p = [&](std::uint32_t v) -> const exact::GridPoint& { return body.grid_points[v]; };
+  // Cheap rejection before the planes are reduced.
+  for (std::uint32_t v : b)
+    if (exact::orientation(p(a[0]), p(a[1]), p(a[2]), p(v)) != 0) return false;
+  return *exact::plane_through(p(a[0]), p(a[1]), p(a[2])) == *exact::plane_through(p(b[0]), p(b[1]), p(b[2]));
+}
+
+/// The maximal faces, as sets of faces: an edge of exactly two faces on one oriented plane is no edge. Marks the
+/// half-edges that stay, and where their undirected edges begin.
+grid::Partition merged_faces(const Body& body, HalfEdges& edges) {
+  grid::Partition merged(body.face_count());
+  for_undirected_edges(edges, [&](std::size_t i, std::size_t j) {
+    if (j - i == 2 && edges[i].from == edges[i + 1].to && coplanar(body, edges[i].face, edges[i + 1].face)) {
+      merged.unite(edges[i].face, edges[i + 1].face);
+      edges[i].kept = edges[i + 1].kept = false;
+    } else {
+      for (std::size_t k = i; k < j; ++k) edges[k].run = static_cast<std::uint32_t>(i);
+    }
+    return true;
+  });
+  return merged;
+}
+
+// 3. Needed vertices
+
+/// The vertices that must be: those with more than two neighbours along kept edges. One with two lies inside an edge.
+std::vector<std::uint8_t> needed_vertices(const HalfEdges& edges, std::size_t vertex_count) {
+  std::vector<std::array<std::uint32_t, 2>> neighbours(vertex_count, {none, none});
+  std::vector<std::uint8_t> needed(vertex_count);
+  const auto add = [&](std::uint32_t v, std::uint32_t w) {
+    auto& n = neighbours[v];
+    if (n[0] == none || n[0] == w)
+      n[0] = w;
+    else if (n[1] == none || n[1] == w)
+      n[1] = w;
+    else
+      needed[v] = 1;
+  };
+  for (const HalfEdge& e : edges) {
+    if (!e.kept) continue;
+    add(e.from, e.to);
+    add(e.to, e.from);
+  }
+  return needed;
+}
+
+/// Needed vertices where edges between merged faces have gone and none of the merged face's own has stayed.
+std::vector<PointInFace> points_inside(const HalfEdges& edges, grid::Partition& merged,
+                                       const std::vector<std::uint8_t>& needed) {
+  std::vector<PointInFace> inside, on_boundary;
+  std::vector<std::uint8_t> in_some(needed.size());
+  for (const HalfEdge& e : edges) {
+    if (e.kept || !needed[e.from]) continue;
+    inside.push_back({merged.find(e.face), e.from});
+    in_some[e.from] = 1;
+  }
+  for (const HalfEdge& e : edges)
+    for (const std::uint32_t v : {e.from, e.to})
+      if (e.kept && in_some[v]) on_boundary.push_back({merged.find(e.face), v});
+
+  std::sort(on_boundary.begin(), on_boundary.end());
+  std::sort(inside.begin(), inside.end());
+  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+
+  std::vector<PointInFace> r;
+  std::set_difference(inside.begin(), inside.end(), on_boundary.begin(), on_boundary.end(), std::back_inserter(r));
+  return r;
+}
+
+/// The needed vertices inside merged faces, by face: those that the body lists, and those that come with merging.
+std::vector<PointInFace> touching_points(const Body& body, const HalfEdges& edges, grid::Partition& merged,
+                                         const std::vector<std::uint8_t>& needed) {
+  std::vector<PointInFace> points = points_inside(edges, merged, needed);
+  for (std::uint32_t p = 0; p < body.polygon_count(); ++p)
+    body.polygons.for_points(p, [&](std::uint32_t v) {
+      if (needed[v]) points.push_back({merged.find(static_cast<std::uint32_t>(body.triangles.size()) + p), v});
+    });
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+// 4. Order of the vertices
+
+int compare_along(const Body& body, int k, std::uint32_t u, std::uint32_t v) {
+  const double a = body.approximation(u)[static_cast<std::size_t>(k)],
+               b = body.approximation(v)[static_cast<std::size_t>(k)];
+  if (a != b) return a < b ? -1 : 1;
+  if (u == v || (body.is_grid(u) && body.is_grid(v))) return 0;
+  return exact::compare_along(k, body.point(u), body.point(v));
+}
+
+/// The needed vertices by exact position.
+std::vector<std::uint32_t> ordered_vertices(const Body& body, const std::vector<std::uint8_t>& needed) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = 0; v < needed.size(); ++v)
+    if (needed[v]) order.push_back(v);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
+    for (int k = 0; k < 3; ++k)
+      if (const int c = compare_along(body, k, u, v)) return c < 0;
+    return false;
+  });
+  return order;
+}
+
+/// In lowest terms.
+exact::Point reduced(exact::Point p) {
+  if (exact::compare(p.w, exact::Denominator(1)) == 0) return p;
+  exact::Integer g = exact::to_integer(p.w);
+  for (const auto& x : p.x) g = gcd(g, exact::to_integer(x));
+  if (g == 1) return p;
+
+  for (auto& x : p.x) x = *exact::to_int<exact::Numerator::bits>(exact::Integer(exact::to_integer(x) / g));
+  p.w = *exact::to_int<exact::Denominator::bits>(exact::Integer(exact::to_integer(p.w) / g));
+  return p;
+}
+
+// 5. Loops
+
+/// The kept half-edges by merged face, within a face by (from, to).
+struct FaceEdges {
+  HalfEdges edges;
+  std::vector<std::uint32_t> start;  // of every face of the body; those that are merged into another one have none
+
+  std::span<const HalfEdge> of(std::size_t face) const {
+    return std::span(edges).subspan(start[face], start[face + 1] - start[face]);
+  }
+};
+
+FaceEdges face_edges(const HalfEdges& all, grid::Partition& merged, std::size_t face_count) {
+  FaceEdges r;
+  for (const HalfEdge& e : all) {
+    if (!e.kept) continue;
+    r.edges.push_back(e);
+    r.edges.back().face = merged.find(e.face);
+  }
+  r.start = sort_by(
+      r.edges, face_count, [](const HalfEdge& e) { return e.face; },
+      [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+  return r;
+}
+
+/// The directions of edges on the plane of one face.
+class Directions {
+ public:
+  /// The direction of an edge, sign * (n_plane x n_line).
+  struct Direction {
+    exact::Plane line;
+    int sign;
+  };
+
+  /// `all`: the half-edges of the body, by undirected edge.
+  Directions(const Body& body, const HalfEdges& all, const exact::Plane& plane)
+      : body_(body), all_(all), plane_(plane) {}
+
+  /// From its beginning to its end, or back.
+  Direction of(const HalfEdge& e, bool reversed) const {
+    const exact::Plane line = other_plane(e);
+    int k = 0, s = 0;
+    for (; k < 3 && s == 0; ++k) s = exact::cross_sign(plane_, line, k);
+    const int forward = compare_along(body_, k - 1, e.to, e.from);
+    return {line, (reversed ? -1 : 1) * (forward == s ? 1 : -1)};
+  }
+  /// +1 when d lies left of c.
+  int turn(const Direction& c, const Direction& d) const {
+    return c.sign * d.sign * exact::turn(plane_, c.line, d.line);
+  }
+  /// Of two directions along one line.
+  bool same_way(const Direction& c, const Direction& d) const {
+    for (int k = 0; k < 3; ++k)
+      if (const int s = exact::cross_sign(plane_, c.line, k))
+        return s * c.sign == exact::cross_sign(plane_, d.line, k) * d.sign;
+    return false;
+  }
+
+ private:
+  /// The plane of another face at the edge that is not parallel to this one; of an edge that a body which was trusted
+  /// wrongly folds onto one plane, another plane through it.
+  exact::Plane other_plane(const HalfEdge& e) const {
+    for (std::size_t i = e.run; i < all_.size() && all_[i].run == e.run; ++i) {
+      const exact::Plane p = body_.plane(all_[i].face);
+      if (!exact::parallel(p, plane_)) return p;
+    }
+    if (!body_.is_grid(e.from) || !body_.is_grid(e.to)) return plane_;
+    return exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], plane_);
+  }
+
+  const Body& body_;
+  const HalfEdges& all_;
+  const exact::Plane& plane_;
+};
+
+/// Lists that are used again for every face. All are places among the half-edges of the face.
+struct Scratch {
+  std::vector<std::uint32_t> incoming;  // by their ends
+  std::vector<std::uint32_t> next;      // the successor in its loop
+};
+
+/// The successors of the half-edges `arriving` at a vertex of a face that others leave from `out` to `out_end`.
+void turn_at_pinch(std::span<const HalfEdge> face, std::span<const std::uint32_t> arriving, std::size_t out,
+                   std::size_t out_end, const Directions& directions, std::vector<std::uint32_t>& next) {
+  struct Spoke {
+    Directions::Direction d;
+    bool leaves;
+    std::uint32_t edge;
+  };
+  std::vector<Spoke> spokes;
+  for (std::size_t k = out; k < out_end; ++k)
+    spokes.push_back({directions.of(face[k], false), true, static_cast<std::uint32_t>(k)});
+  for (const std::uint32_t k : arriving) spokes.push_back({directions.of(face[k], true), false, k});
+
+  const Directions::Direction reference = spokes[0].d;
+  const auto quarter = [&](const Spoke& s) {  // clockwise from the reference
+    const int t = directions.turn(reference, s.d);
+    if (t != 0) return t < 0 ? 1 : 3;
+    return directions.same_way(reference, s.d) ? 0 : 2;
+  };
+  std::sort(spokes.begin(), spokes.end(), [&](const Spoke& a, const Spoke& b) {
+    const int p = quarter(a), q = quarter(b);
+    if (p != q) return p < q;
+    const int t = directions.turn(a.d, b.d);
+    if (t != 0) return t < 0;
+    return a.leaves && !b.leaves;  // a slit's way back comes last, clockwise all round
+  });
+
+  // The first leaving spoke clockwise after each arriving one.
+  std::uint32_t following = none;
+  for (std::size_t round = 0; round < 2; ++round)
+    for (std::size_t k = spokes.size(); k-- > 0;) {
+      if (spokes[k].leaves)
+        following = spokes[k].edge;
+      else
+        next[spokes[k].edge] = following;
+    }
+}
+
+/// The successor of every half-edge of a face: the first clockwise from the reversed one at its end.
+void find_successors(std::span<const HalfEdge> face, const Directions& directions, Scratch& scratch) {
+  auto& [incoming, next] = scratch;
+  next.assign(face.size(), none);
+  incoming.resize(face.size());
+  std::iota(incoming.begin(), incoming.end(), 0u);
+  std::sort(incoming.begin(), incoming.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(face[a].to, face[a].from) < std::tie(face[b].to, face[b].from);
+  });
+
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < incoming.size();) {
+    const std::uint32_t v = face[incoming[i]].to;
+    std::size_t j = i, out_end = out;
+    while (j < incoming.size() && face[incoming[j]].to == v) ++j;
+    while (out_end < face.size() && face[out_end].from == v) ++out_end;
+    assert(out_end - out == j - i);
+
+    if (j - i == 1)
+      next[incoming[i]] = static_cast<std::uint32_t>(out);
+    else
+      turn_at_pinch(face, std::span(incoming).subspan(i, j - i), out, out_end, directions, next);
+    i = j;
+    out = out_end;
+  }
+}
+
+/// Rotates a loop so that it starts with its smallest half-edge, which is unique.
+void rotate_to_least(std::span<std::uint32_t> loop) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    const auto key = [&](std::size_t k) { return std::pair(loop[k], loop[(k + 1) % loop.size()]); };
+    if (key(i) < key(best)) best = i;
+  }
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(best), loop.end());
+}
+
+/// Puts the loops from `first` on in order: the one with the smallest vertex of the face, which is on its outer loop
+/// and on no other; then by corners.
+void sort_loops(grid::Loops<std::uint32_t>& faces, std::size_t first) {
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (std::size_t j = first; j < faces.loop_count(); ++j)
+    loops.emplace_back(faces.loop(j).begin(), faces.loop(j).end());
+  const auto outer = std::min_element(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+    const std::uint32_t x = *std::min_element(a.begin(), a.end()), y = *std::min_element(b.begin(), b.end());
+    return x != y ? x < y : a < b;
+  });
+  std::iter_swap(loops.begin(), outer);
+  std::sort(loops.begin() + 1, loops.end());
+
+  faces.loop_start.resize(first + 1);
+  faces.corners.resize(faces.loop_start.back());
+  for (const auto& loop : loops) faces.add_loop(loop);
+}
+
+/// Adds the loops of a face, found by following the successors; its vertices by rank, without those that are not
+/// needed.
+void add_loops(std::span<const HalfEdge> face, std::vector<std::uint32_t>& next, const std::vector<std::uint32_t>& rank,
+               grid::Loops<std::uint32_t>& faces) {
+  for (std::size_t h = 0; h < face.size(); ++h) {
+    if (next[h] == none) continue;
+    for (std::size_t g = h; next[g] != none;) {
+      if (rank[face[g].from] != none) faces.corners.push_back(rank[face[g].from]);
+      g = std::exchange(next[g], none);
+    }
+    // Of a body that was trusted wrongly a loop may need no vertex.
+    if (faces.corners.size() == faces.loop_start.back()) continue;
+    faces.end_loop();
+    rotate_to_least(std::span(faces.corners).subspan(faces.loop_start[faces.loop_count() - 1]));
+  }
+}
+
+/// The merged faces, in the order of their smallest members.
+Boundary traced_faces(const Body& body, const HalfEdges& all, const FaceEdges& by_face,
+                      std::span<const PointInFace> points, const std::vector<std::uint32_t>& rank) {
+  Boundary r;
+  Scratch scratch;
+  for (std::uint32_t f = 0; f < body.face_count(); ++f) {
+    const std::span<const HalfEdge> face = by_face.of(f);
+    if (face.empty()) continue;
+
+    const exact::Plane plane = body.plane(f);
+    const std::size_t first = r.faces.loop_count();
+    find_successors(face, Directions(body, all, plane), scratch);
+    add_loops(face, scratch.next, rank, r.faces);
+
+    const auto own = std::lower_bound(points.begin(), points.end(), PointInFace{f, 0});
+    for (auto at = own; at != points.end() && (*at)[0] == f; ++at) r.faces.add_loop(std::array{rank[(*at)[1]]});
+
+    if (r.faces.loop_count() == first) continue;
+    if (r.faces.loop_count() - first > 1) sort_loops(r.faces, first);
+    r.planes.push_back(plane);
+    r.faces.end_face();
+  }
+  return r;
+}
+
+// 6. Order of the faces
+
+/// Faces by plane, those on one plane by their loops: no two have a loop in common, so the first decides.
+Canonical in_order(const Boundary& traced) {
+  std::vector<std::uint32_t> order(traced.face_count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
+    if (const int c = exact::compare(traced.planes[f], traced.planes[g])) return c < 0;
+    const auto p = traced.faces.loop(traced.faces.face_start[f]), q = traced.faces.loop(traced.faces.face_start[g]);
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
+
+  Canonical r;
+  r.planes.reserve(order.size());
+  r.faces.reserve(order.size(), traced.faces.loop_count(), traced.faces.corners.size());
+  for (const std::uint32_t f : order) {
+    r.planes.push_back(traced.planes[f]);
+    traced.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) { r.faces.add_loop(loop); });
+    r.faces.end_face();
+  }
+  return r;
+}
+
+}  // namespace
+
+Canonical canonical(const Body& body) {
+  if (!body.is_packed) return canonical(packed(body));
+
+  HalfEdges edges = half_edges(body);
+  grid::Partition merged = merged_faces(body, edges);
+  const std::vector<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
+  const std::vector<PointInFace> points = touching_points(body, edges, merged, needed);
+
+  const std::vector<std::uint32_t> order = ordered_vertices(body, needed);
+  std::vector<std::uint32_t> rank(body.vertex_count(), none);
+  for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+
+  const FaceEdges by_face = face_edges(edges, merged, body.face_count());
+  Canonical form = in_order(traced_faces(body, edges, by_face, points, rank));
+  form.full_at_infinity = body.full_at_infinity;
+  form.vertices.reserve(order.size());
+  for (const std::uint32_t v : order) form.vertices.push_back(reduced(body.point(v)));
+  return form;
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,22 @@
+/// \file
+/// The one form of a point set: maximal faces, maximal edges, only the vertices that must be, all in canonical order.
+#pragma once
+
+#include "booleans/body/boundary.h"
+
+namespace quoin::booleans {
+
+/// Equal point sets on one grid have equal canonical forms, whatever their histories.
+///
+/// Take at each boundary point the dimension of the space of directions in which the tangent cone is invariant:
+/// vertices are the points of dimension 0, edges and faces the connected components of those of dimension 1 and 2.
+/// Every vertex on a face is listed: a touching vertex inside it as a loop of one corner, a touching edge inside it as
+/// a slit, run along both ways. Planes and points are reduced. Order: vertices by exact (x, y, z); a loop starts at its
+/// smallest half-edge (origin, target); the loop of a face with its smallest vertex comes first, then the others by
+/// their corners; faces by plane (a, b, c, d), then by their loops.
+struct Canonical : Boundary {};
+
+/// Precondition: a clean body (B1 - B4).
+Canonical canonical(const Body& body);
+
+}  // namespace quoin::booleans

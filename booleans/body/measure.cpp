@@ -1,0 +1,159 @@
+#include "booleans/body/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quoin::booleans {
+namespace {
+
+using exact::Integer;
+using exact::Rational;
+
+/// An unreduced fraction, denominator > 0.
+struct Fraction {
+  Integer n = 0, d = 1;
+};
+
+/// Sums fractions pairwise, so that long numbers meet long numbers.
+class Sum {
+ public:
+  void add(Fraction f) {
+    std::size_t level = 0;
+    for (; level < levels_.size() && full_[level]; ++level) {
+      f = combined(levels_[level], f);
+      full_[level] = false;
+    }
+    if (level == levels_.size()) {
+      levels_.emplace_back();
+      full_.push_back(false);
+    }
+    levels_[level] = std::move(f);
+    full_[level] = true;
+  }
+  Rational total() const {
+    Fraction r;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      if (full_[i]) r = combined(r, levels_[i]);
+    return Rational(r.n, r.d);
+  }
+
+ private:
+  static Fraction combined(const Fraction& a, const Fraction& b) {
+    if (a.d == b.d) return {a.n + b.n, a.d};
+    return {a.n * b.d + b.n * a.d, a.d * b.d};
+  }
+  std::vector<Fraction> levels_;
+  std::vector<bool> full_;
+};
+
+/// Six times the signed volume of the raw triangles: each determinant is at most 6 * 2^87, so 2^32 of them fit.
+exact::int128 six_volumes(const Body& body) {
+  exact::int128 sum = 0;
+  for (const auto& t : body.triangles) {
+    const auto &p = body.grid_points[t[0]], &q = body.grid_points[t[1]], &r = body.grid_points[t[2]];
+    const auto minor = [&](int i, int j) { return std::int64_t{q[i]} * r[j] - std::int64_t{q[j]} * r[i]; };
+    sum += exact::int128(p[0]) * minor(1, 2) + exact::int128(p[1]) * minor(2, 0) + exact::int128(p[2]) * minor(0, 1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Rational volume(const Body& body) {
+  if (!body.is_packed) return volume(packed(body));
+
+  // A polygon with plane n . x + d = 0 and area A n / |n| spans the cone of volume -d A / (3 |n|) from the origin. Its
+  // projection along axis k has the area A_k = A n_k / |n|, so the cone is -d A_k / (3 n_k): no triangulation needed.
+  Sum sum;
+  for (std::size_t p = 0; p < body.polygon_count(); ++p) {
+    const exact::Plane& plane = body.planes[p];
+    if (plane.d == 0) continue;
+    const std::size_t k = exact::longest_component(plane.n), u = (k + 1) % 3, v = (k + 2) % 3;
+    const Integer factor = -exact::to_integer(plane.d), divisor = 6 * Integer(plane.n[k]);
+
+    body.polygons.for_edges(p, [&](std::uint32_t from, std::uint32_t to) {
+      const exact::Point a = body.point(from), b = body.point(to);
+      const Integer cross = exact::to_integer(a.x[u] * b.x[v] - b.x[u] * a.x[v]);
+      Fraction f{factor * cross, divisor * exact::to_integer(a.w) * exact::to_integer(b.w)};
+      if (f.d < 0) f = {-f.n, -f.d};
+      sum.add(std::move(f));
+    });
+  }
+  return sum.total() + Rational(exact::to_integer(six_volumes(body)), Integer(6));
+}
+
+double approximate_area(const Body& body) {
+  if (!body.is_packed) return approximate_area(packed(body));
+
+  const auto twice = [](const std::array<double, 3>& p, const std::array<double, 3>& q,
+                        const std::array<double, 3>& r) {
+    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1],
+                 bz = r[2] - p[2];
+    return std::array<double, 3>{ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
+  };
+
+  double area = 0;
+  for (const auto& t : body.triangles) {
+    const auto c = twice(body.approximation(t[0]), body.approximation(t[1]), body.approximation(t[2]));
+    area += std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) / 2;
+  }
+
+  for (std::size_t p = 0; p < body.polygon_count(); ++p) {
+    std::array<double, 3> sum{};
+    const auto origin = body.approximation(body.polygons.corners_of(p).front());
+    body.polygons.for_edges(p, [&](std::uint32_t from, std::uint32_t to) {
+      const auto c = twice(origin, body.approximation(from), body.approximation(to));
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
+    });
+    area += std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) / 2;
+  }
+  return area;
+}
+
+namespace {
+
+/// visit(v) for the vertices of all faces, each at least once.
+template <class Visit>
+void for_used_vertices(const Body& body, Visit&& visit) {
+  for (const auto& t : body.triangles)
+    for (const std::uint32_t v : t) visit(v);
+  for (const std::uint32_t v : body.polygons.corners) visit(v);
+}
+
+}  // namespace
+
+std::optional<std::array<std::array<double, 3>, 2>> rounded_box(const Body& body, const grid::Lattice& lattice) {
+  if (!body.is_packed) return rounded_box(packed(body), lattice);
+  if (body.face_count() == 0) return std::nullopt;
+
+  // In steps first. Rounding is monotone: what is least has the least approximation, and what is least of those that
+  // have it, rounded to model units, is the least of all.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  for_used_vertices(body, [&](std::uint32_t v) {
+    const auto p = body.approximation(v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  });
+
+  std::array<std::array<double, 3>, 2> box{{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}};
+  const grid::Rounder rounder(lattice);
+  const auto rounded = [&](std::uint32_t v, std::size_t k) {
+    const int axis = static_cast<int>(k);
+    return body.is_grid(v) ? rounder.to_double(body.grid_points[v][axis], axis)
+                           : rounder.to_double(body.derived(v), axis);
+  };
+  for_used_vertices(body, [&](std::uint32_t v) {
+    const auto p = body.approximation(v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p[k] == low[k]) box[0][k] = std::min(box[0][k], rounded(v, k));
+      if (p[k] == high[k]) box[1][k] = std::max(box[1][k], rounded(v, k));
+    }
+  });
+  return box;
+}
+
+}  // namespace quoin::booleans

@@ -1,0 +1,24 @@
+/// \file
+/// Measures of a body, in grid units, and its box in model units.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "booleans/body/body.h"
+#include "exact/rational.h"
+#include "grid/grid.h"
+
+namespace quoin::booleans {
+
+/// The signed volume enclosed by the faces, cubic grid steps. For a body that is full at infinity it is minus the
+/// volume of the complement.
+exact::Rational volume(const Body& body);
+
+/// The area, squared grid steps, in doubles.
+double approximate_area(const Body& body);
+
+/// The low and the high corner of the faces, model units, correctly rounded; nothing where there is no face.
+std::optional<std::array<std::array<double, 3>, 2>> rounded_box(const Body& body, const grid::Lattice& lattice);
+
+}  // namespace quoin::booleans

@@ -1,0 +1,376 @@
+#include "booleans/classify/seeds.h"
+
+#include <map>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "booleans/classify/any_vertex.h"
+#include "booleans/classify/targets.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// The smallest vertex of a component found so far.
+struct Extreme {
+  AnyVertex vertex;
+  std::array<double, 3> at{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+};
+
+/// One facet at one edge {v, w} of the extreme vertex v of a component.
+struct Corner {
+  AnyVertex w;
+  NodeId node;
+  exact::Plane plane;                // canonical
+  std::optional<exact::Plane> line;  // another plane through the edge
+  bool left;                         // left of v -> w, seen from the canonical normal
+  bool turned;                       // patches: outward is against the canonical normal
+};
+
+/// The components that need a seed.
+struct Open {
+  const Arrangement& a;
+  const Components& components;
+  const ById<ComponentId, std::uint8_t>& is_placed;
+  std::vector<ComponentId> list;
+
+  Open(const Arrangement& arrangement, const Components& all, const ById<ComponentId, std::uint8_t>& placed)
+      : a(arrangement), components(all), is_placed(placed) {
+    for (const ComponentId c : Ids<ComponentId>(all.count))
+      if (!placed[c]) list.push_back(c);
+  }
+  ComponentId of(NodeId n) const { return components.of[n]; }
+};
+
+/// visit(body, face, node) for the untouched faces of a chunk; faces count from the operand's first.
+template <class Visit>
+void for_untouched(const Arrangement& a, const OperandChunk& c, Visit&& visit) {
+  for (const FaceId f : Ids<FaceId>(c.begin, c.end))
+    if (const NodeId n = a.patches().of[f]; n != none) visit(a.operands[c.operand], a.operands.own(c.operand, f), n);
+}
+
+/// Finds the extreme vertices of all open components.
+class Extremes {
+ public:
+  explicit Extremes(const Open& open) : open_(open), best_(open.components.count) {
+    const Arrangement& a = open.a;
+    for (const Use& u : a.uses.list)
+      for (const VertexId v : {u.low, u.high}) offer(open.of(u.node), v, a.names.vertices.approximation(v));
+
+    for (const OperandChunk& c : a.operands.chunks) {
+      if (c.box.low[0] > farthest()) continue;
+      for_untouched(a, c, [&](const Body& body, std::uint32_t face, NodeId node) {
+        for (const std::uint32_t v : body.corners_of(face)) {
+          const auto at = body.approximation(v);
+          if (at[0] <= best_[open.of(node)].at[0]) offer(open.of(node), AnyVertex(a.names, c.operand, v), at);
+        }
+      });
+    }
+  }
+  ById<ComponentId, Extreme> take() { return std::move(best_); }
+
+ private:
+  void offer(ComponentId component, AnyVertex v, const std::array<double, 3>& at) {
+    Extreme& best = best_[component];
+    if (open_.is_placed[component]) return;
+    if (at[0] > best.at[0] || best.vertex == v) return;  // most corners end here; rounding is monotone
+    int order = best.vertex.is_nothing() ? -1 : 0;
+    for (int k = 0; k < 3 && order == 0; ++k) order = v.compare_along(open_.a, k, best.vertex);
+    // Equal points under different names do not occur within one component: touching vertices are in the table.
+    if (order < 0) best = {v, at};
+  }
+
+  /// The largest x of all extremes found so far. With many components that is asked for once in a while only.
+  double farthest() {
+    if (open_.list.size() > grid::thresholds().few_components && asked_++ % open_.list.size() != 0) return farthest_;
+    farthest_ = -HUGE_VAL;
+    for (const ComponentId c : open_.list) farthest_ = std::max(farthest_, best_[c].at[0]);
+    return farthest_;
+  }
+
+  const Open& open_;
+  ById<ComponentId, Extreme> best_;
+  double farthest_ = HUGE_VAL;
+  std::size_t asked_ = 0;
+};
+
+/// Gathers all facets of the open components at their extreme vertices, edge by edge.
+class CornerCollector {
+ public:
+  CornerCollector(const Open& open, const ById<ComponentId, Extreme>& extremes)
+      : open_(open), extremes_(extremes), corners_(extremes.size()) {
+    for (const ComponentId c : open.list) wanted_.emplace(extremes[c].vertex, c);
+    add_uses();
+    add_untouched();
+  }
+  ById<ComponentId, std::vector<Corner>> take() { return std::move(corners_); }
+
+ private:
+  struct Hash {
+    std::size_t operator()(AnyVertex v) const { return v.hash(); }
+  };
+
+  void offer(AnyVertex v, const Corner& corner) {
+    const auto range = wanted_.equal_range(v);
+    for (auto i = range.first; i != range.second; ++i)
+      if (open_.of(corner.node) == i->second) corners_[i->second].push_back(corner);
+  }
+
+  void add_uses() {
+    const Arrangement& a = open_.a;
+    for (const Use& u : a.uses.list) {
+      if (!a.sheets.is_facet(u.node)) continue;  // untouched faces follow
+      Corner corner{u.high, u.node, a.names.planes[u.plane], a.names.planes[u.line], u.left, false};
+      offer(u.low, corner);
+      corner.w = u.low;
+      corner.left = !u.left;
+      offer(u.high, corner);
+    }
+  }
+
+  void add_untouched() {
+    const Arrangement& a = open_.a;
+    const auto is_wanted = wanted_vertices();
+    std::vector<BoxTree::Item> points(open_.list.size());
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].box.add(extremes_[open_.list[i]].at);
+    const BoxTree tree(points);
+
+    for (const OperandChunk& c : a.operands.chunks) {
+      bool near = false;
+      tree.meeting(c.box, [&](std::uint32_t) { near = true; });
+      if (!near) continue;
+      for_untouched(a, c, [&](const Body& body, std::uint32_t face, NodeId node) {
+        body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
+          for (const bool forward : {true, false})
+            if (is_wanted[c.operand][forward ? u : v])
+              add_edge(c.operand, face, node, forward ? u : v, forward ? v : u, forward);
+        });
+      });
+    }
+  }
+
+  /// Of an untouched face, the edge from v to w; `forward`: the face runs that way.
+  void add_edge(OperandId operand, std::uint32_t face, NodeId node, std::uint32_t v, std::uint32_t w, bool forward) {
+    const Arrangement& a = open_.a;
+    const exact::Plane p = a.operands[operand].plane(face);
+    const bool turned = !exact::is_canonical(p);
+    offer(AnyVertex(a.names, operand, v),
+          {AnyVertex(a.names, operand, w), node, turned ? p.opposite() : p, {}, forward != turned, turned});
+  }
+
+  /// Per operand and own vertex: is it some component's extreme vertex?
+  ById<OperandId, std::vector<std::uint8_t>> wanted_vertices() const {
+    const Arrangement& a = open_.a;
+    ById<OperandId, std::vector<std::uint8_t>> is_wanted(a.operands.bodies.size());
+    for (const OperandId o : a.operands.ids()) {
+      is_wanted[o].resize(a.operands[o].vertex_count());
+      const OperandNames& names = a.names.operands[o];
+      for (const std::uint32_t v : names.listed)
+        if (wanted_.contains(names.name_of[v])) is_wanted[o][v] = 1;
+    }
+    for (const ComponentId c : open_.list)
+      if (const AnyVertex v = extremes_[c].vertex; !v.is_nothing() && !v.is_named())
+        is_wanted[v.operand()][v.own()] = 1;
+    return is_wanted;
+  }
+
+  const Open& open_;
+  const ById<ComponentId, Extreme>& extremes_;
+  std::unordered_multimap<AnyVertex, ComponentId, Hash> wanted_;
+  ById<ComponentId, std::vector<Corner>> corners_;
+};
+
+/// The direction from v to w, where at least two planes through that edge are not parallel.
+std::optional<Direction> direction(const Arrangement& a, AnyVertex v, AnyVertex w,
+                                   const std::vector<const Corner*>& edge) {
+  Direction d;
+  if (v.is_grid(a) && w.is_grid(a)) {
+    const auto p = v.approximation(a), q = w.approximation(a);
+    for (std::size_t k = 0; k < 3; ++k) d[k] = exact::Int<127>(static_cast<std::int64_t>(q[k] - p[k]));
+    return d;
+  }
+
+  const auto cross = [](const exact::Plane& p, const exact::Plane& q) {
+    Direction r;
+    const auto n = [](const exact::Plane& plane, std::size_t m) { return exact::Coefficient(plane.n[m]); };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      r[k] = n(p, i) * n(q, j) - n(p, j) * n(q, i);
+    }
+    return r;
+  };
+  for (const Corner* c : edge)
+    for (const Corner* e : edge) {
+      const exact::Plane& other = c == e && c->line ? *c->line : e->plane;
+      if (exact::parallel(c->plane, other)) continue;
+      d = cross(c->plane, other);
+      for (int k = 0; k < 3; ++k) {  // oriented from v to w
+        const int s = d[static_cast<std::size_t>(k)].sign();
+        if (s == 0) continue;
+        if (w.compare_along(a, k, v) != s)
+          for (auto& x : d) x = -x;
+        return d;
+      }
+    }
+  return std::nullopt;
+}
+
+/// Does edge direction d come before e: vertical first, then least dy/dx, then least dz?
+bool precedes(const Direction& d, const Direction& e) {
+  const bool vertical = d[0].sign() == 0 && d[1].sign() == 0;
+  if (vertical || (e[0].sign() == 0 && e[1].sign() == 0)) return vertical;
+  if (const int slope = exact::compare(d[0] * e[1], d[1] * e[0])) return slope > 0;
+  const std::size_t k = d[0].sign() != 0 ? 0 : 1;  // both run forward in this axis
+  return exact::compare(d[2] * e[k], e[2] * d[k]) < 0;
+}
+
+/// Where the ray of a component starts.
+struct Start {
+  SideId outer;
+  RayStart ray;
+};
+
+/// Nothing when no edge at v has two planes: of a clean operand that does not happen.
+std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vector<Corner>& corners) {
+  std::map<AnyVertex, std::vector<const Corner*>> edges;
+  for (const Corner& c : corners) edges[c.w].push_back(&c);
+  const std::vector<const Corner*>* chosen = nullptr;
+  Direction best{};
+  for (const auto& [w, edge] : edges) {
+    const auto d = direction(a, v, w, edge);
+    if (!d || (chosen && !precedes(*d, best))) continue;
+    best = *d;
+    chosen = &edge;
+  }
+  if (!chosen) return std::nullopt;
+
+  // The first facet counter-clockwise around the edge: it turns left to every other.
+  int k = 0;
+  while (best[static_cast<std::size_t>(k)].sign() == 0) ++k;
+  const int forward = best[static_cast<std::size_t>(k)].sign();
+  const Corner* first = (*chosen)[0];
+  for (const Corner* c : *chosen) {
+    const int turn = exact::cross_sign(c->plane, first->plane, k) * forward * (c->left == first->left ? 1 : -1);
+    if (turn > 0) first = c;
+  }
+
+  // Counter-clockwise before a facet that lies left of its edge is its back, else its front.
+  const bool back = first->left != first->turned;
+  return Start{back ? back_of(first->node) : front_of(first->node), {v.point(a), best}};
+}
+
+/// Is the plane (p_y > 0) below s: is p(s) > 0? Its terms are p(v), p . d, then -p_y < 0.
+bool in_front(const exact::Plane& p, const RayStart& s) {
+  if (const int at_v = exact::side(p, s.v)) return at_v > 0;
+  return dot(p, s.d).sign() > 0;
+}
+
+/// Is p met before q? The distances p(s) / p_y and q(s) / q_y compare term by term; those of t^2 are equal.
+bool nearer(const exact::Plane& p, const exact::Plane& q, const RayStart& s) {
+  const exact::Coefficient py(p.n[1]), qy(q.n[1]);
+  ++exact::counters().fixed_width;
+  if (const int c = exact::compare(exact::scaled_value(p, s.v) * qy, exact::scaled_value(q, s.v) * py)) return c < 0;
+  if (const int c = exact::compare(dot(p, s.d) * qy, dot(q, s.d) * py)) return c < 0;
+  if (const int c = exact::compare(exact::Coefficient(p.n[2]) * qy, exact::Coefficient(q.n[2]) * py)) return c > 0;
+  return exact::compare(exact::Coefficient(p.n[0]) * qy, exact::Coefficient(q.n[0]) * py) < 0;
+}
+
+/// The box of a ray towards -y.
+Box ray_box(const std::array<double, 3>& from) {
+  Box ray;
+  ray.add(from);
+  ray.low[1] = INT32_MIN;
+  return ray;
+}
+
+/// Finds the nearest target in each ray's way.
+class Shooter {
+ public:
+  /// `from`: where all rays start.
+  Shooter(const Arrangement& a, const std::vector<std::array<double, 3>>& from) : targets_(a, region(from)) {
+    if (from.size() > grid::thresholds().few_rays) {
+      std::vector<BoxTree::Item> items(targets_.size());
+      for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets_.box(t), t, t};
+      tree_.emplace(items);
+    }
+
+    // What the rays may meet; where many components stand above each other that is all.
+    std::vector<std::uint32_t> wanted;
+    for (std::size_t i = 0; i < from.size() && wanted.size() <= 2 * targets_.size(); ++i)
+      for_targets(ray_box(from[i]), [&](std::uint32_t t) { wanted.push_back(t); });
+    if (wanted.size() > 2 * targets_.size()) {
+      wanted.resize(targets_.size());
+      std::iota(wanted.begin(), wanted.end(), 0u);
+    }
+    targets_.prepare(wanted);
+  }
+
+  /// The side on which the ray from s, at `at`, comes down first; none when it reaches infinity.
+  SideId first_hit(const RayStart& s) {
+    Box ray = ray_box(s.v.approximation);
+    std::uint32_t nearest = none;
+    exact::Plane nearest_plane{};  // oriented towards +y
+    bool nearest_turned = false;   // that is against the facet's front
+    for_targets(ray, [&](std::uint32_t t) {
+      bool turned = false;
+      exact::Plane p = targets_.plane(t, turned);
+      if (p.n[1] == 0) return;
+      if (p.n[1] < 0) {
+        p = p.opposite();
+        turned = !turned;
+      }
+      if (!in_front(p, s) || (nearest != none && !nearer(p, nearest_plane, s))) return;
+      if (!targets_.crossed(t, p, s)) return;
+      nearest = t;
+      nearest_plane = p;
+      nearest_turned = turned;
+      ray.low[1] = targets_.box(t).low[1];  // nothing below is nearer
+    });
+    if (nearest == none) return none;
+    // The ray comes down on the side that looks towards +y.
+    return nearest_turned ? back_of(targets_.node(nearest)) : front_of(targets_.node(nearest));
+  }
+
+ private:
+  static Box region(const std::vector<std::array<double, 3>>& from) {
+    Box rays;
+    for (const auto& p : from) rays.add(ray_box(p));
+    return rays;
+  }
+  template <class Visit>
+  void for_targets(const Box& ray, Visit&& visit) const {
+    if (tree_) return tree_->meeting(ray, visit);
+    for (std::uint32_t t = 0; t < targets_.size(); ++t)
+      if (targets_.box(t).meets(ray)) visit(t);
+  }
+
+  Targets targets_;
+  std::optional<BoxTree> tree_;
+};
+
+}  // namespace
+
+std::vector<Seed> find_seeds(const Arrangement& a, const Components& components,
+                             const ById<ComponentId, std::uint8_t>& is_placed) {
+  const Open open(a, components, is_placed);
+  if (open.list.empty()) return {};
+  const auto extremes = Extremes(open).take();
+  const auto corners = CornerCollector(open, extremes).take();
+
+  std::vector<Seed> seeds;
+  std::vector<std::optional<Start>> starts;
+  for (const ComponentId c : open.list) {
+    starts.push_back(start_of(a, extremes[c].vertex, corners[c]));
+    seeds.push_back({starts.back() ? starts.back()->outer : SideId(none), none});
+  }
+  if (components.count == 1) return seeds;  // a ray meets other components only
+
+  std::vector<std::array<double, 3>> from;
+  for (const ComponentId c : open.list) from.push_back(extremes[c].at);
+  Shooter shooter(a, from);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (starts[i]) seeds[i].beyond = shooter.first_hit(starts[i]->ray);
+  return seeds;
+}
+
+}  // namespace quoin::booleans

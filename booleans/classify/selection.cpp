@@ -1,0 +1,130 @@
+#include "booleans/classify/selection.h"
+
+#include "grid/lists/buckets.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// A well-mixed 64-bit constant per operand: labels are compared as sums of these.
+std::uint64_t label_weight(OperandId operand) {
+  std::uint64_t x = (operand.value + 1) * 0x9E3779B97F4A7C15u;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
+
+/// A label, as far as anyone asks: the expression's value there, and a sum of weights that shows whether every way to a
+/// cell agrees.
+class Label {
+ public:
+  Label(const Arrangement& a, const Expression& expression)
+      : evaluator_(expression, static_cast<std::uint32_t>(a.operands.bodies.size())) {
+    for (const OperandId o : a.operands.ids())
+      if (a.operands[o].full_at_infinity) add(o, 1);
+  }
+  bool value() const { return evaluator_.value(); }
+  std::uint64_t sum() const { return sum_; }
+
+  /// Goes through a node from one of its sides to the other.
+  void cross(const Arrangement& a, SideId from) {
+    const int way = is_back(from) ? -1 : 1;  // from front to back adds the jump
+    a.for_jumps(node_of(from), [&](OperandId operand, int by) { add(operand, way * by); });
+  }
+
+ private:
+  void add(OperandId operand, int by) {
+    evaluator_.add(operand.value, by);
+    sum_ += label_weight(operand) * static_cast<std::uint64_t>(std::int64_t{by});
+  }
+
+  Evaluator evaluator_;
+  std::uint64_t sum_ = 0;
+};
+
+/// What is known of the cells that can be reached from infinity.
+struct CellValues {
+  ById<CellId, std::uint8_t> is_seen, is_inside;
+  ById<CellId, std::uint64_t> sum;
+
+  explicit CellValues(std::size_t cells) : is_seen(cells), is_inside(cells), sum(cells) {}
+  void set(CellId cell, const Label& label) {
+    is_seen[cell] = 1;
+    is_inside[cell] = label.value();
+    sum[cell] = label.sum();
+  }
+};
+
+/// Walks from infinity through all nodes, changing one label as it goes; labels are never stored.
+CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expression& expression) {
+  const auto sides = grid::in_buckets(cells.of.size(), cells.count, [&](SideId s) { return cells.of[s].value; });
+  CellValues values(cells.count);
+  Label label(a, expression);
+
+  struct Visit {
+    CellId cell;
+    SideId entered;      // through which the walk came, none at infinity
+    std::uint32_t next;  // into the cell's sides
+  };
+  std::vector<Visit> stack;
+  const auto enter = [&](CellId cell, SideId through) {
+    values.set(cell, label);
+    stack.push_back({cell, through, 0});
+  };
+
+  enter(cells.infinity, none);
+  while (!stack.empty()) {
+    Visit& top = stack.back();
+    const auto around = sides[top.cell.value];
+    if (top.next == around.size()) {
+      if (top.entered != none) label.cross(a, opposite(top.entered));  // back where it came from
+      stack.pop_back();
+      continue;
+    }
+    const SideId s = around[top.next++];
+    const CellId beyond = cells.of[opposite(s)];
+    if (values.is_seen[beyond]) continue;
+    label.cross(a, s);
+    enter(beyond, s);
+  }
+  return values;
+}
+
+/// Do the labels of each node's two sides differ by its jump?
+bool is_consistent(const Arrangement& a, const Cells& cells, const CellValues& values) {
+  for (const NodeId n : Ids<NodeId>(a.node_count())) {
+    const CellId front = cells.of[front_of(n)], back = cells.of[back_of(n)];
+    std::uint64_t expected = values.sum[front];
+    a.for_jumps(n, [&](OperandId operand, int by) {
+      expected += label_weight(operand) * static_cast<std::uint64_t>(std::int64_t{by});
+    });
+    if (!values.is_seen[front] || !values.is_seen[back] || values.sum[back] != expected) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Selection select(const Arrangement& a, const Cells& cells, const Expression& expression) {
+  Selection selection;
+  const CellValues values = evaluate_cells(a, cells, expression);
+  selection.is_consistent = cells.is_consistent && is_consistent(a, cells, values);
+  selection.full_at_infinity = values.is_inside[cells.infinity];
+
+  selection.kept.reserve(a.node_count());
+  for (const NodeId n : Ids<NodeId>(a.node_count())) {
+    const int front = values.is_inside[cells.of[front_of(n)]], back = values.is_inside[cells.of[back_of(n)]];
+    selection.kept.push_back(static_cast<std::int8_t>(back - front));
+  }
+
+  selection.kept_at.assign(a.sheets.element_count(), 0);
+  a.uses.for_edges([&](std::span<const Use> uses) {
+    std::size_t count = 0;
+    for (const Use& u : uses) count += selection.kept[u.node] != 0;
+    for (const Use& u : uses)
+      if (u.element != none)
+        selection.kept_at[u.element] = static_cast<std::uint8_t>(std::min<std::size_t>(count, 255));
+  });
+  return selection;
+}
+
+}  // namespace quoin::booleans

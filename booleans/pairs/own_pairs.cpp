@@ -1,0 +1,199 @@
+#include "booleans/pairs/own_pairs.h"
+
+#include <functional>
+
+#include "booleans/body/adjacency.h"
+#include "booleans/pairs/fan_proof.h"
+#include "booleans/pairs/pair_search.h"
+#include "booleans/pairs/triangle_pair.h"
+#include "exact/predicates.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// Do two triangles of one mesh meet anywhere but in a common corner or edge, or overlap across one?
+bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
+  const GridTriangle p = triangle(mesh, s), q = triangle(mesh, t);
+  const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
+  std::array<std::size_t, 3> shared_a{}, shared_b{};
+  std::size_t shared = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (a[i] == b[j]) shared_a[shared] = i, shared_b[shared++] = j;
+  if (shared == 3) return true;
+  if (shared == 2) {
+    // Coplanar with both third corners on one side of the common edge: an overlap.
+    const std::size_t i = 3 - shared_a[0] - shared_a[1], j = 3 - shared_b[0] - shared_b[1];
+    if (exact::orientation(p[0], p[1], p[2], q[j]) != 0) return false;
+    const auto n = exact::plane_through(p[0], p[1], p[2]),
+               m = exact::plane_through(p[shared_a[0]], p[shared_a[1]], q[j]);
+    const auto own = exact::plane_through(p[shared_a[0]], p[shared_a[1]], p[i]);
+    return n && m && own && exact::dot_sign(*m, *own) > 0;
+  }
+  if (shared == 1) {
+    // What they share besides the corner reaches the opposite side of one of them.
+    const std::size_t i = shared_a[0], j = shared_b[0];
+    return meet(p[(i + 1) % 3], p[(i + 2) % 3], q) || meet(q[(j + 1) % 3], q[(j + 2) % 3], p);
+  }
+  return meet(p, q);
+}
+
+/// Triangles that share a vertex whose star is embedded meet as they should: nearly all pairs are of this kind.
+class NeighbourMask {
+ public:
+  NeighbourMask(const Body& mesh, const std::vector<Star>& star_of, const std::vector<std::uint32_t>& order)
+      : corners_((order.size() + BoxBlock::width - 1) / BoxBlock::width) {
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = order[i] < mesh.triangles.size() ? mesh.triangles[order[i]][k] : none;
+        // Other vertices, and those of polygons, get a name that no other face has.
+        corners_[i / BoxBlock::width][k][i % BoxBlock::width] =
+            v != none && star_of[v] == Star::embedded ? v : none - static_cast<std::uint32_t>(i);
+      }
+  }
+  /// The lanes of block b that are neighbours of the i-th triangle.
+  unsigned operator()(std::uint32_t i, std::uint32_t b) const {
+    const Block &own = corners_[i / BoxBlock::width], &others = corners_[b];
+    const std::size_t lane = i % BoxBlock::width;
+    return lanes_with(std::array{others[0].data(), others[1].data(), others[2].data()},
+                      std::array{own[0][lane], own[1][lane], own[2][lane]});
+  }
+
+ private:
+  using Block = std::array<std::array<std::uint32_t, BoxBlock::width>, 3>;
+
+  std::vector<Block> corners_;
+};
+
+}  // namespace
+
+namespace {
+
+/// Faces of a body, and a tree over them.
+struct OwnFaces {
+  OwnFaces(const Body& body, const std::vector<BoxTree::Item>& items) : tree(items) {
+    faces.reserve(items.size());
+    for (const std::uint32_t f : tree.ids()) faces.push_back({&body, f});
+  }
+  BoxTree tree;
+  std::vector<SearchedFace> faces;
+};
+
+/// Is the face marked? An empty list marks none.
+bool has(const std::vector<std::uint8_t>& marks, std::uint32_t f) { return f < marks.size() && marks[f]; }
+
+}  // namespace
+
+FacePairs improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
+  const std::vector<std::uint8_t> proved = proved_in_fans(mesh, star_of);
+  std::vector<BoxTree::Item> items;
+  items.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!has(proved, t)) items.push_back({face_box(mesh, t), t, t});
+
+  const OwnFaces own(mesh, items);
+  const NeighbourMask neighbours(mesh, star_of, own.tree.ids());
+  const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
+    return improper(mesh, own.faces[i].face, own.faces[j].face);
+  };
+  return PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
+}
+
+namespace {
+
+/// Proves that faces of one body meet in common corners and edges only, where one look at a plane is enough.
+class Prover {
+ public:
+  explicit Prover(const Body& body) : body_(body), adjacency_(body) {
+    for (auto f = static_cast<std::uint32_t>(body.triangles.size()); f < body.face_count(); ++f)
+      for (const std::uint32_t v : body.corners_of(f)) corners_.push_back({v, f});
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  bool many_corners(std::uint32_t f) const { return body_.corner_count(f) > 3; }
+
+  bool proper(std::uint32_t f, std::uint32_t g) const {
+    if (body_.corner_count(f) > body_.corner_count(g)) std::swap(f, g);
+    return meets_in_common_parts(f, g) ||
+           (body_.corner_count(g) <= grid::thresholds().small_face && meets_in_common_parts(g, f));
+  }
+
+ private:
+  int side(const exact::Plane& plane, std::uint32_t v) const {
+    return body_.is_grid(v) ? exact::side(plane, body_.grid_points[v]) : exact::side(plane, body_.derived(v));
+  }
+  bool is_raw(std::uint32_t face) const { return face < body_.triangles.size(); }
+  bool lists(std::uint32_t face, std::uint32_t v) const {
+    if (!is_raw(face)) return std::binary_search(corners_.begin(), corners_.end(), std::array{v, face});
+    const auto& t = body_.triangles[face];
+    return t[0] == v || t[1] == v || t[2] == v;
+  }
+  bool lists(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
+    bool found = false;
+    if (body_.corner_count(face) <= grid::thresholds().small_face || is_raw(face))
+      body_.for_edges(face, [&](std::uint32_t from, std::uint32_t to) {
+        found = found || (from == u && to == v) || (from == v && to == u);
+      });
+    else
+      adjacency_.faces_at_edge(u, v, [&](std::uint32_t g, bool) { found = found || g == face; });
+    return found;
+  }
+  /// Does f lie on one closed side of g's plane, and does g list all that f has on it? A face that a plane does not
+  /// cross meets it in corners and edges only.
+  bool meets_in_common_parts(std::uint32_t f, std::uint32_t g) const {
+    const exact::Plane plane = body_.sign_plane(g);
+    int seen = 0;
+    bool good = true, on_plane = false;
+    body_.for_corners(f, [&](std::uint32_t v) {
+      if (!good) return;
+      const int s = side(plane, v);
+      good = s * seen >= 0 && (s != 0 || lists(g, v));
+      seen = s != 0 ? s : seen;
+      on_plane = on_plane || s == 0;
+    });
+    if (!good || seen == 0) return false;
+    if (!on_plane) return true;
+    body_.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
+      if (good && side(plane, u) == 0 && side(plane, v) == 0) good = lists(g, u, v);
+    });
+    return good;
+  }
+
+  const Body& body_;
+  const Adjacency adjacency_;
+  std::vector<std::array<std::uint32_t, 2>> corners_;  // (vertex, polygon), sorted
+};
+
+/// The stars of the vertices that have raw triangles only; all others are `other`.
+std::vector<Star> stars_of_triangles(const Body& body) {
+  std::vector<Star> star_of = stars(body);
+  for (const std::uint32_t v : body.polygons.corners)
+    if (body.is_grid(v)) star_of[v] = Star::other;
+  return star_of;
+}
+
+}  // namespace
+
+FacePairs doubtful_pairs(const Body& body) {
+  const Prover prover(body);
+  FacePairs found;
+  for (std::uint32_t f = 0; f < body.face_count(); ++f)
+    if (prover.many_corners(f)) found.push_back({FaceId(f), FaceId(f)});
+  // Triangles that are proved to meet all others are a group: what they do with polygons is left to see.
+  const std::vector<Star> star_of = stars_of_triangles(body);
+  const std::vector<std::uint8_t> proved = proved_in_fans(body, star_of);
+  std::vector<BoxTree::Item> items(body.face_count());
+  for (std::uint32_t f = 0; f < items.size(); ++f)
+    items[f] = {face_box(body, f), f, has(proved, f) ? static_cast<std::uint32_t>(items.size()) : f};
+
+  const OwnFaces own(body, items);
+  const NeighbourMask neighbours(body, star_of, own.tree.ids());
+  const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
+    return !prover.proper(own.faces[i].face, own.faces[j].face);
+  };
+  const auto others = PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::foreign);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
+}
+
+}  // namespace quoin::booleans

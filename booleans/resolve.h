@@ -1,0 +1,17 @@
+/// \file
+/// Meshes that may cross themselves become clean bodies.
+#pragma once
+
+#include "booleans/body/body.h"
+#include "booleans/run.h"
+#include "quoin/result.h"
+
+namespace quoin::booleans {
+
+/// A clean body with the points of winding number > 0 of a closed but otherwise arbitrary triangle mesh (B1 alone, raw
+/// triangles without zero area). `crossings` counts the pairs of faces that met out of place.
+/// A single embedded surface is taken as it is: it must not be inside out.
+/// Errors: "cancelled".
+Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run = {});
+
+}  // namespace quoin::booleans

@@ -1,0 +1,133 @@
+#include "booleans/surface/rounded.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/predicates.h"
+#include "grid/lists/stretches.h"
+
+namespace quoin::booleans {
+
+using exact::Rational;
+
+namespace {
+
+using Corner = std::array<double, 3>;
+
+/// A normal of any length; components below 2^62.
+using Normal = std::array<std::int64_t, 3>;
+
+/// What rounding did to one triangle.
+enum class Effect { none, flipped, collapsed };
+
+/// The exact answer: the rounded corners and the normal as rationals.
+Effect exact_effect(const std::array<Corner, 3>& c, const Normal& normal) {
+  std::array<RationalPoint, 3> p;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) p[i][k] = exact::to_rational(c[i][k]);
+
+  Rational dot = 0;
+  bool zero = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const Rational cross = (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
+    zero = zero && cross == 0;
+    dot += cross * normal[k];
+  }
+  return zero ? Effect::collapsed : dot < 0 ? Effect::flipped : Effect::none;
+}
+
+/// A term n (e f) of the dot product of the rounded triangle's normal with the plane's carries eight roundings at most:
+/// the coefficient, two edge components, two products, the difference, two sums. So with u = 2^-53 and S the sum of the
+/// terms' true sizes the error is below 8.01 u S, and S as computed is at least (1 - 8.01 u) S: 16 u S bounds it.
+/// Edges within 2^+-300 keep products from overflow; a product that underflows is wrong by 2^-1074 at most, below the
+/// bound's second term.
+Effect effect(const std::array<Corner, 3>& c, const Normal& normal) {
+  Corner e, f;
+  double largest_e = 0, largest_f = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = c[1][k] - c[0][k];
+    f[k] = c[2][k] - c[0][k];
+    largest_e = std::max(largest_e, std::fabs(e[k]));
+    largest_f = std::max(largest_f, std::fabs(f[k]));
+  }
+  const auto ordinary = [](double x) { return x > 0x1p-300 && x < 0x1p300; };
+  if (!ordinary(largest_e) || !ordinary(largest_f)) return exact_effect(c, normal);
+
+  double dot = 0, size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double n = static_cast<double>(normal[k]), x = e[i] * f[j], y = e[j] * f[i];
+    dot += n * (x - y);
+    size += std::fabs(n) * (std::fabs(x) + std::fabs(y));
+  }
+  const double bound = 16 * exact::unit_roundoff * (size + 0x1p-60 * largest_e * largest_f);
+  if (dot > bound) return Effect::none;
+  if (dot < -bound) return Effect::flipped;
+  return exact_effect(c, normal);
+}
+
+/// Triangles before this one are as they were: raw ones between grid points, where doubles hold all of these.
+std::size_t first_changed(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, Floats floats) {
+  const bool exact = floats == Floats::float64 && grid::Rounder(lattice).is_exact();
+  if (!exact || !mesh.added.empty()) return 0;
+
+  const auto raw = std::partition_point(mesh.face.begin(), mesh.face.end(),
+                                        [&](std::uint32_t f) { return f < body.triangles.size(); });
+  return static_cast<std::size_t>(raw - mesh.face.begin());
+}
+
+}  // namespace
+
+std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice,
+                                   Floats floats) {
+  const bool to_float = floats == Floats::float32;
+  const std::size_t count = mesh.source.size();
+  std::vector<double> points(3 * mesh.vertex_count());
+
+  const grid::Rounder rounder(lattice);
+  const auto round = [&](const auto& p, int k) -> double {
+    return to_float ? rounder.to_float(p, k) : rounder.to_double(p, k);
+  };
+  grid::in_stretches(count, 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t v = mesh.source[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        points[3 * i + k] = body.is_grid(v) ? round(body.grid_points[v][axis], axis) : round(body.derived(v), axis);
+      }
+    }
+  });
+
+  for (std::size_t i = 0; i < mesh.added.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational x = lattice.origin[k] + lattice.step * mesh.added[i][k];
+      points[3 * (count + i) + k] = to_float ? exact::to_float(x) : exact::to_double(x);
+    }
+  return points;
+}
+
+RoundingEffects rounding_effects(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice,
+                                 Floats floats, const std::vector<double>& points) {
+  using Range = tbb::blocked_range<std::size_t>;
+  return tbb::parallel_reduce(
+      Range(first_changed(body, mesh, lattice, floats), mesh.triangle_count(), 1024), RoundingEffects{},
+      [&](const Range& range, RoundingEffects sum) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+          std::array<Corner, 3> c;
+          for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.corners[3 * t + i]} + k];
+          const Effect found = effect(c, body.sign_plane(mesh.face[t]).n);
+          sum.flipped += found == Effect::flipped;
+          sum.collapsed += found == Effect::collapsed;
+        }
+        return sum;
+      },
+      [](const RoundingEffects& a, const RoundingEffects& b) {
+        return RoundingEffects{a.flipped + b.flipped, a.collapsed + b.collapsed};
+      });
+}
+
+}  // namespace quoin::booleans

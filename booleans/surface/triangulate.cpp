@@ -1,0 +1,267 @@
+#include "booleans/surface/triangulate.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "booleans/surface/corners.h"
+
+namespace quoin::booleans {
+namespace {
+
+/// A permutation of 32-bit words that looks random (the finalizer of MurmurHash3).
+std::uint32_t scrambled(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x85ebca6bU;
+  x ^= x >> 13;
+  x *= 0xc2b2ae35U;
+  x ^= x >> 16;
+  return x;
+}
+
+/// One number for both directions of an edge.
+std::uint64_t undirected_key(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+}  // namespace
+
+void SweepStatus::set_child_of_parent(Index parent, Index old, Index node) {
+  if (parent == none) {
+    root_ = node;
+  } else {
+    nodes_[parent].child[nodes_[parent].child[top] == old ? top : bottom] = node;
+  }
+}
+
+void SweepStatus::link_neighbours(Index below, Index above) {
+  if (below == none) {
+    lowest_ = above;
+  } else {
+    nodes_[below].neighbour[top] = above;
+  }
+  if (above != none) nodes_[above].neighbour[bottom] = below;
+}
+
+void SweepStatus::rotate_up(Index node) {
+  const Index parent = nodes_[node].parent;
+  const Side side = nodes_[parent].child[top] == node ? top : bottom;
+  const Side other = side == top ? bottom : top;
+  const Index moved = nodes_[node].child[other];
+  nodes_[parent].child[side] = moved;
+  if (moved != none) nodes_[moved].parent = parent;
+  const Index grandparent = nodes_[parent].parent;
+  set_child_of_parent(grandparent, parent, node);
+  nodes_[node].parent = grandparent;
+  nodes_[node].child[other] = parent;
+  nodes_[parent].parent = node;
+}
+
+void SweepStatus::insert_above(Index below, Index node) {
+  const Index above = below == none ? lowest_ : nodes_[below].neighbour[top];
+  nodes_[node] = Node{};
+  nodes_[node].priority = scrambled(node + 1);
+  link_neighbours(below, node);
+  link_neighbours(node, above);
+  // Of two neighbours in order, one has no child on the side of the other.
+  if (below != none && nodes_[below].child[top] == none) {
+    nodes_[below].child[top] = node;
+    nodes_[node].parent = below;
+  } else if (above != none) {
+    nodes_[above].child[bottom] = node;
+    nodes_[node].parent = above;
+  } else {
+    root_ = node;
+  }
+  while (nodes_[node].parent != none && nodes_[nodes_[node].parent].priority < nodes_[node].priority) rotate_up(node);
+}
+
+void SweepStatus::replace(Index old, Index node) {
+  // The place keeps its priority, so that the heap stays one.
+  nodes_[node] = nodes_[old];
+  const Node& moved = nodes_[node];
+  set_child_of_parent(moved.parent, old, node);
+  for (const Index child : moved.child) {
+    if (child != none) nodes_[child].parent = node;
+  }
+  link_neighbours(moved.neighbour[bottom], node);
+  link_neighbours(node, moved.neighbour[top]);
+}
+
+void SweepStatus::erase(Index node) {
+  for (;;) {
+    const auto [lower, upper] = nodes_[node].child;
+    if (lower == none || upper == none) {
+      const Index only = lower == none ? upper : lower;
+      set_child_of_parent(nodes_[node].parent, node, only);
+      if (only != none) nodes_[only].parent = nodes_[node].parent;
+      break;
+    }
+    rotate_up(nodes_[lower].priority > nodes_[upper].priority ? lower : upper);
+  }
+  link_neighbours(nodes_[node].neighbour[bottom], nodes_[node].neighbour[top]);
+}
+
+void SweepChains::link(Index lower, Index upper) {
+  nodes_[lower].link[top] = upper;
+  nodes_[upper].link[bottom] = lower;
+}
+
+SweepChains::Chain SweepChains::single(std::uint32_t vertex) {
+  const Index node = static_cast<Index>(nodes_.size());
+  nodes_.push_back({vertex});
+  return {{node, node}, node};
+}
+
+std::pair<SweepChains::Chain, SweepChains::Chain> SweepChains::split_at_tip(const Chain& chain) {
+  const Chain lower = {{chain.end[bottom], chain.tip}, chain.tip};
+  Chain upper = single(vertex(chain.tip));
+  if (chain.tip != chain.end[top]) {
+    link(upper.tip, nodes_[chain.tip].link[top]);
+    upper.end[top] = chain.end[top];
+  }
+  return {lower, upper};
+}
+
+void SweepChains::append(Chain& chain, Side side, Index keep, std::uint32_t vertex) {
+  const Index node = static_cast<Index>(nodes_.size());
+  nodes_.push_back({vertex});
+  if (side == top) {
+    link(keep, node);
+  } else {
+    link(node, keep);
+  }
+  chain.end[side] = chain.tip = node;
+}
+
+SweepChains::Chain SweepChains::join(const Chain& lower, const Chain& upper) {
+  // The upper copy of the shared vertex goes; an appended vertex has a neighbour on the far side.
+  assert(upper.end[bottom] != upper.end[top]);
+  link(lower.tip, nodes_[upper.end[bottom]].link[top]);
+  return {{lower.end[bottom], upper.end[top]}, lower.tip};
+}
+
+bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
+                     Scratch<SweepSegment>& segments) {
+  segments.clear();
+  segments.reserve(edges.size());
+  for (const FaceEdge& edge : edges) {
+    const std::uint32_t from = rank[edge[0]], to = rank[edge[1]];
+    if (from == to) return false;
+    const bool rightward = from < to;
+    segments.push_back({std::min(from, to), std::max(from, to), !rightward, rightward});
+  }
+  const auto key = [](const SweepSegment& s) { return std::uint64_t{s.left} << 32 | s.right; };
+  std::sort(segments.begin(), segments.end(),
+            [&key](const SweepSegment& a, const SweepSegment& b) { return key(a) < key(b); });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const SweepSegment segment = segments[i];
+    if (kept == 0 || key(segments[kept - 1]) != key(segment)) {
+      segments[kept++] = segment;
+      continue;
+    }
+    SweepSegment& slit = segments[kept - 1];
+    if ((slit.inside_above && segment.inside_above) || (slit.inside_below && segment.inside_below)) return false;
+    slit.inside_above = slit.inside_below = true;
+  }
+  segments.resize(kept);
+  return true;
+}
+
+bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop) {
+  constexpr std::uint32_t none = UINT32_MAX;
+  loop.clear();
+  if (edges.size() < 3) return false;
+  Scratch<std::uint32_t> next(vertex_count, none);
+  for (const FaceEdge& edge : edges) {
+    if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != none) return false;
+    next[edge[0]] = edge[1];
+  }
+  const std::uint32_t start = edges[0][0];
+  for (std::uint32_t v = start; loop.size() < edges.size(); v = next[v]) {
+    if (v == none || (v == start && !loop.empty())) return false;
+    loop.push_back(v);
+  }
+  return next[loop.back()] == start;
+}
+
+FlipMesh::FlipMesh(std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained)
+    : triangles_(triangles), twin_(3 * triangles.size(), none), edge_(3 * triangles.size(), none) {
+  Scratch<std::uint64_t> fixed;
+  fixed.reserve(constrained.size());
+  for (const FaceEdge& edge : constrained) fixed.push_back(undirected_key(edge[0], edge[1]));
+  std::sort(fixed.begin(), fixed.end());
+  Scratch<std::pair<std::uint64_t, std::uint32_t>> halves;
+  halves.reserve(twin_.size());
+  for (std::uint32_t half = 0; half < twin_.size(); ++half) {
+    halves.push_back({undirected_key(origin(half), origin(next_corner(half))), half});
+  }
+  std::sort(halves.begin(), halves.end());
+  auto barrier = fixed.begin();
+  for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
+    const auto [key, half] = halves[i];
+    if (halves[i + 1].first != key) continue;
+    while (barrier != fixed.end() && *barrier < key) ++barrier;
+    if (barrier != fixed.end() && *barrier == key) continue;
+    const std::uint32_t edge = edge_count();
+    half_of_.push_back(half);
+    move(half, edge, halves[i + 1].second);
+  }
+}
+
+void FlipMesh::move(std::uint32_t half, std::uint32_t edge, std::uint32_t twin) {
+  twin_[half] = twin;
+  edge_[half] = edge;
+  if (edge == none) return;
+  twin_[twin] = half;
+  edge_[twin] = edge;
+  half_of_[edge] = half;
+}
+
+std::array<std::uint32_t, 4> FlipMesh::quadrilateral(std::uint32_t edge) const {
+  const std::uint32_t half = half_of_[edge], twin = twin_[half];
+  return {origin(half), origin(twin), origin(previous_corner(half)), origin(previous_corner(twin))};
+}
+
+void FlipMesh::flip(std::uint32_t edge) {
+  const auto [a, b, c, d] = quadrilateral(edge);
+  const std::uint32_t half = half_of_[edge], twin = twin_[half];
+  const std::array<std::uint32_t, 4> old = {next_corner(half), previous_corner(half), next_corner(twin),
+                                            previous_corner(twin)};
+  std::array<std::uint32_t, 4> edges, twins;
+  for (std::size_t i = 0; i < 4; ++i) {
+    edges[i] = edge_[old[i]];
+    twins[i] = twin_[old[i]];
+  }
+  const std::uint32_t first = half / 3, second = twin / 3;
+  triangles_[first] = {d, b, c};
+  triangles_[second] = {a, d, c};
+  move(3 * first + 1, edges[0], twins[0]);
+  move(3 * second + 2, edges[1], twins[1]);
+  move(3 * second + 0, edges[2], twins[2]);
+  move(3 * first + 0, edges[3], twins[3]);
+  move(3 * first + 2, edge, 3 * second + 1);
+}
+
+std::array<std::uint32_t, 4> FlipMesh::sides(std::uint32_t edge) const {
+  const std::uint32_t half = half_of_[edge], twin = twin_[half];
+  return {edge_[next_corner(half)], edge_[previous_corner(half)], edge_[next_corner(twin)],
+          edge_[previous_corner(twin)]};
+}
+
+bool prefers_other_diagonal(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                            const std::array<double, 2>& c, const std::array<double, 2>& d) {
+  // The angles at c and d over the edge a b sum to more than 180 degrees: sin(c + d) < 0.
+  const auto corner = [](const std::array<double, 2>& p, const std::array<double, 2>& from,
+                         const std::array<double, 2>& to) {
+    const double ux = from[0] - p[0], uy = from[1] - p[1], vx = to[0] - p[0], vy = to[1] - p[1];
+    return std::array<double, 2>{ux * vy - uy * vx, ux * vx + uy * vy};
+  };
+  const auto [sin_c, cos_c] = corner(c, a, b);
+  const auto [sin_d, cos_d] = corner(d, b, a);
+  const double left = sin_c * cos_d, right = cos_c * sin_d;
+  // The margin keeps rounding from flipping edges of cocircular points back and forth.
+  return left + right < -1e-9 * (std::abs(left) + std::abs(right));
+}
+
+}  // namespace quoin::booleans

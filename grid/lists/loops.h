@@ -1,0 +1,86 @@
+/// \file
+/// Faces with loops of corners: the one form in which faces are kept.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quoin::grid {
+
+/// visit(u, v) for every directed edge of a closed loop; a loop of one corner has none.
+template <class Corner, class Visit>
+void for_loop_edges(std::span<const Corner> loop, Visit&& visit) {
+  if (loop.size() < 2) return;
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i) visit(loop[i], loop[i + 1]);
+  visit(loop.back(), loop.front());
+}
+
+/// Faces that follow each other, each with its loops, each with its corners. A loop of one corner is a point inside its
+/// face. `List` is std::vector or a list like it (SharedList).
+template <class Corner, template <class...> class List = std::vector>
+struct Loops {
+  List<std::uint32_t> face_start = {0};  // face i has the loops face_start[i] .. face_start[i + 1] - 1
+  List<std::uint32_t> loop_start = {0};  // loop j has the corners loop_start[j] .. loop_start[j + 1] - 1
+  List<Corner> corners;
+
+  friend bool operator==(const Loops&, const Loops&) = default;
+
+  std::size_t face_count() const { return face_start.size() - 1; }
+  std::size_t loop_count() const { return loop_start.size() - 1; }
+  std::span<const Corner> loop(std::size_t j) const {
+    return std::span<const Corner>(corners).subspan(loop_start[j], loop_start[j + 1] - loop_start[j]);
+  }
+  /// How many loops a face has.
+  std::size_t loop_count(std::size_t face) const { return face_start[face + 1] - face_start[face]; }
+  /// The corners of all loops of a face, one after the other.
+  std::span<const Corner> corners_of(std::size_t face) const {
+    const std::uint32_t begin = loop_start[face_start[face]], end = loop_start[face_start[face + 1]];
+    return std::span<const Corner>(corners).subspan(begin, end - begin);
+  }
+  std::uint32_t corner_count(std::size_t face) const {
+    return loop_start[face_start[face + 1]] - loop_start[face_start[face]];
+  }
+
+  /// visit(loop) for every loop of a face.
+  template <class Visit>
+  void for_loops(std::size_t face, Visit&& visit) const {
+    for (std::uint32_t j = face_start[face]; j < face_start[face + 1]; ++j) visit(loop(j));
+  }
+  /// visit(u, v) for every directed edge of a face.
+  template <class Visit>
+  void for_edges(std::size_t face, Visit&& visit) const {
+    for (std::uint32_t j = face_start[face]; j < face_start[face + 1]; ++j) for_loop_edges(loop(j), visit);
+  }
+  /// visit(corner) for the loops of one corner of a face.
+  template <class Visit>
+  void for_points(std::size_t face, Visit&& visit) const {
+    for (std::uint32_t j = face_start[face]; j < face_start[face + 1]; ++j)
+      if (loop_start[j + 1] - loop_start[j] == 1) visit(corners[loop_start[j]]);
+  }
+
+  /// Closes the loop of the corners that were added since the last one.
+  void end_loop() { loop_start.push_back(static_cast<std::uint32_t>(corners.size())); }
+  /// Closes the face of the loops that were added since the last one.
+  void end_face() { face_start.push_back(static_cast<std::uint32_t>(loop_count())); }
+  void add_loop(std::span<const Corner> loop) {
+    for (const Corner& c : loop) corners.push_back(c);
+    end_loop();
+  }
+  void reserve(std::size_t faces, std::size_t loops, std::size_t corner_count) {
+    face_start.reserve(faces + 1);
+    loop_start.reserve(loops + 1);
+    corners.reserve(corner_count);
+  }
+  /// Adds all faces of another list, shape for shape.
+  template <template <class...> class OtherList>
+  void append(const Loops<Corner, OtherList>& more) {
+    const auto loops = static_cast<std::uint32_t>(loop_count()), first = static_cast<std::uint32_t>(corners.size());
+    for (std::size_t i = 1; i < more.face_start.size(); ++i) face_start.push_back(more.face_start[i] + loops);
+    for (std::size_t j = 1; j < more.loop_start.size(); ++j) loop_start.push_back(more.loop_start[j] + first);
+    for (const Corner& c : more.corners) corners.push_back(c);
+  }
+};
+
+}  // namespace quoin::grid

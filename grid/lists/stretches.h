@@ -1,0 +1,56 @@
+/// \file
+/// Parallel work that depends on no number of threads.
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "grid/lists/thresholds.h"
+
+namespace quoin::grid {
+
+/// visit(stretch, begin, end) for 0 .. count - 1 in stretches of a fixed length, side by side: the stretches, and with
+/// them what is kept by stretch, are the same for any number of threads.
+template <class Visit>
+void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
+  if (count == 0) return;
+  const std::size_t stretches = (count + length - 1) / length;
+  if (stretches == 1) return visit(std::size_t{0}, std::size_t{0}, count);
+  tbb::parallel_for(std::size_t{0}, stretches,
+                    [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); });
+}
+
+/// visit(i) for 0 .. count - 1, side by side where that pays: `work` elements in all.
+template <class Visit>
+void in_tasks(std::size_t count, std::size_t work, Visit&& visit) {
+  in_stretches(count, work < thresholds().small_work ? count : 1, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(i);
+  });
+}
+
+/// visit(begin, end) for one range of 0 .. count - 1 a thread, side by side. For work that all ranges begin by looking
+/// at the same data, of which each takes its own; the result must not depend on how many there are.
+template <class Visit>
+void in_shares(std::size_t count, Visit&& visit) {
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t shares = count < thresholds().small_work ? 1 : std::min<std::size_t>(threads, 8);
+  in_stretches(count, count / shares + 1, [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
+}
+
+/// The lists one after the other, as what was kept by stretch is put together.
+template <class T>
+std::vector<T> joined(const std::vector<std::vector<T>>& lists) {
+  std::size_t total = 0;
+  for (const auto& list : lists) total += list.size();
+
+  std::vector<T> all;
+  all.reserve(total);
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+}  // namespace quoin::grid

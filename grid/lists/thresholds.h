@@ -1,0 +1,77 @@
+/// \file
+/// Where one way of computing gives way to another.
+///
+/// No threshold changes a result: two ways differ in time only. In checked builds (QUOIN_CHECKED) the environment may
+/// set them all, QUOIN_THRESHOLDS=smallest or =largest, so that small tests see the ways of large inputs too, and tests
+/// may set single ones.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace quoin::grid {
+
+struct Thresholds {
+  /// Less work than this stays in the calling thread (elements).
+  std::size_t small_work = 4096;
+  /// Faces a chunk has at most.
+  std::uint32_t chunk = 32;
+  /// More operands than this are not compared one by one.
+  std::size_t few_operands = 8;
+  /// Fewer boxes than this are searched without cells.
+  std::size_t few_boxes = 256;
+  /// Pairs of blocks with more pairs of boxes that meet are compared by slabs first.
+  int crowded_blocks = 12;
+  /// More pairs of faces left between two slabs than this are compared along the slabs' line.
+  int crowded_slabs = 16;
+  /// Fewer keys than this are sorted by comparison, others by digits.
+  std::size_t few_keys = 500;
+  /// Faces with more boundary edges than this are searched through a tree over their edges.
+  std::uint32_t large_face = 48;
+  /// A face of more corners than this is not looked for among the other's in a proof.
+  std::size_t small_face = 16;
+  /// So many segments and points of a sheet are compared in pairs, more through a tree.
+  std::uint32_t few_segments = 24;
+  /// So many components ask for the farthest of them each time, more of them once in a while.
+  std::size_t few_components = 8;
+  /// More rays than this are shot through a tree.
+  std::size_t few_rays = 4;
+  /// An operand of at least so many times the faces of all that meets it lends its lists to the result.
+  std::size_t host = 8;
+  /// Crowded operands are combined in groups of so many (at least 2).
+  std::size_t group = 4;
+  /// Spokes of vertices with more than this are sorted.
+  std::size_t few_spokes = 16;
+  /// Fans whose squared size is more than this times the number of all triangles are compared as a whole.
+  std::size_t large_fan = 4;
+
+  static constexpr Thresholds smallest() { return {1, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0}; }
+  static constexpr Thresholds largest() {
+    constexpr std::uint32_t all = 1u << 30;
+    return {all, all, all, all, 64, 64, all, all, all, 24, all, all, all, all, all, all};
+  }
+};
+
+#ifdef QUOIN_CHECKED
+
+/// What the environment says, once.
+inline Thresholds& settable_thresholds() {
+  static Thresholds value = [] {
+    const char* text = std::getenv("QUOIN_THRESHOLDS");
+    const std::string_view name = text != nullptr ? text : "";
+    return name == "smallest" ? Thresholds::smallest() : name == "largest" ? Thresholds::largest() : Thresholds{};
+  }();
+  return value;
+}
+inline const Thresholds& thresholds() { return settable_thresholds(); }
+
+#else
+
+inline constexpr Thresholds usual_thresholds{};
+constexpr const Thresholds& thresholds() { return usual_thresholds; }
+
+#endif
+
+}  // namespace quoin::grid

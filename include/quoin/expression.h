@@ -1,0 +1,46 @@
+/// \file
+/// Boolean expressions over many solids and half-spaces, evaluated as one operation.
+#pragma once
+
+#include "quoin/export.h"
+
+#include <memory>
+#include <vector>
+
+#include "quoin/options.h"
+#include "quoin/result.h"
+#include "quoin/solid.h"
+
+namespace quoin {
+
+/// A Boolean expression over solids, evaluated as one operation.
+class QUOIN_API Expression {
+ public:
+  Expression(const Solid& solid);           // NOLINT: implicit by design
+  Expression(const HalfSpace& half_space);  // NOLINT: the points with a x + b y + c z + d <= 0
+  static Expression unite(std::vector<Expression> terms);
+  static Expression intersect(std::vector<Expression> terms);
+  /// The first minus all others.
+  static Expression difference(Expression minuend, std::vector<Expression> subtrahends);
+  /// Points in an odd number of terms.
+  static Expression symmetric_difference(std::vector<Expression> terms);
+  static Expression complement(Expression term);
+
+  friend QUOIN_API Expression operator+(Expression a, Expression b);
+  friend QUOIN_API Expression operator-(Expression a, Expression b);
+  friend QUOIN_API Expression operator&(Expression a, Expression b);
+  friend QUOIN_API Expression operator^(Expression a, Expression b);
+  friend QUOIN_API Expression operator~(Expression a);
+
+ private:
+  friend struct Access;
+  struct Node;
+  explicit Expression(std::shared_ptr<const Node> node);
+  std::shared_ptr<const Node> node_;
+};
+
+/// Evaluates an expression in one arrangement. Operands of different grids go to the finest one if that is exact.
+/// Errors: "inexact-grid", "cancelled", "inconsistent" (an operand trusted wrongly), "no-operand", "bad-plane".
+QUOIN_API Result<Solid> evaluate(const Expression& expression, const Options& options = {});
+
+}  // namespace quoin

@@ -1,0 +1,52 @@
+/// \file
+/// How meshes become solids: options and reports.
+#pragma once
+
+#include "quoin/export.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "quoin/grid.h"
+#include "quoin/options.h"
+
+namespace quoin {
+
+/// What import may take for granted.
+enum class Trust {
+  /// Prove that the surface does not cross itself; resolve it where it does.
+  nothing,
+  /// Skip that proof. An operand that does cross itself then gives an unspecified result, never a crash.
+  embedded,
+};
+
+struct ImportOptions {
+  /// The grid to snap to; default: the one that fits the input.
+  std::optional<Grid> grid = {};
+  Trust trust = Trust::nothing;
+  /// Progress never decreases, and of an import that succeeds it ends with exactly 1.
+  Options run = {};
+};
+
+/// What import did to the input. Counts are of points and triangles of the input.
+struct ImportReport {
+  /// The largest move of a point, model units.
+  double max_snap = 0;
+  /// Distinct input points that became one grid point.
+  std::uint64_t merged_points = 0;
+  /// Triangles of zero area after snapping: gone, their points now on their neighbours' edges.
+  std::uint64_t zero_area_triangles = 0;
+  /// Polygons that were not planar after snapping and were triangulated.
+  std::uint64_t nonplanar_polygons = 0;
+  /// Pairs of faces that crossed, overlapped or touched out of place, all resolved (inside is winding number > 0).
+  std::uint64_t resolved_crossings = 0;
+  /// Shells that look inwards and bound nothing of the result: nothing is left of them, since inside is winding
+  /// number > 0. A body that is inside out among others is one; a void within a body is none. Not counted with
+  /// Trust::embedded.
+  std::uint64_t dropped_shells = 0;
+  /// The first of them, "shell at (x, y, z)": its lowest corner by x, then y, then z, in model units; empty for none.
+  std::string dropped_where = {};
+};
+
+}  // namespace quoin

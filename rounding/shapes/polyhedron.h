@@ -1,0 +1,50 @@
+/// \file
+/// Exact polyhedra: what primitives are before they are carried to the grid.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "booleans/body/canonical.h"
+#include "grid/grid.h"
+#include "grid/lists/loops.h"
+#include "rounding/planes/wide_plane.h"
+
+namespace quoin::rounding {
+
+/// The boundary of a bounded solid with rational vertices, maximal faces and edges. Model units, or grid steps.
+/// Normals point outwards, loops run counter-clockwise seen from outside.
+struct Polyhedron {
+  std::vector<Vector> points;
+  std::vector<WidePlane> planes;     // one a face
+  grid::Loops<std::uint32_t> faces;  // of indices of points
+
+  std::size_t face_count() const { return planes.size(); }
+
+  std::uint32_t add_point(Vector p);
+  /// A face through these corners, its first loop the outer one. Precondition: planar, the first three corners of the
+  /// first loop are a convex corner and not collinear.
+  void add_face(std::initializer_list<std::span<const std::uint32_t>> loops);
+  void add_face(std::span<const std::uint32_t> loop) { add_face({loop}); }
+  /// The next loop of the last face.
+  void add_loop(std::span<const std::uint32_t> loop);
+};
+
+/// Model units to grid steps.
+AffineMap to_grid(const grid::Lattice& lattice);
+/// A solid's boundary, in grid steps. Precondition: bounded.
+Polyhedron polyhedron_of(const booleans::Canonical& form);
+/// The image under a map. Precondition: its determinant is positive.
+Polyhedron carried(Polyhedron p, const AffineMap& map);
+
+/// Six times the enclosed volume.
+Rational sixfold_volume(const Polyhedron& p);
+
+/// Triangles of points, counter-clockwise from outside, that tile the faces. Nothing where a face's loops are seen not
+/// to bound regions (crossings may go unseen, and give unspecified triangles).
+std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p);
+
+}  // namespace quoin::rounding

@@ -1,0 +1,104 @@
+// What a .quoin text may say, and what is refused.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/api/quoin_damage.h"
+#include "tests/api/solids.h"
+
+namespace quoin::api_test {
+namespace {
+
+TEST(QuoinText, ValidTextsAreAccepted) {
+  for (const std::string& text : damage::valid_texts()) {
+    const auto solid = Solid::from_quoin(text);
+    ASSERT_TRUE(solid) << solid.error().message << ", " << solid.error().where << "\n" << text;
+    EXPECT_EQ(solid.value().to_quoin(), text);
+    EXPECT_TRUE(Solid::from_quoin(text, Trust::embedded));
+    EXPECT_EQ(damage::broken_law(text).value_or(""), "") << text;
+    EXPECT_EQ(damage::closed(damage::opened(text)), text);
+  }
+}
+
+// The law of the door, under changes of the structure that leave most of it as it was.
+TEST(QuoinText, WhatIsAcceptedIsRight) {
+  auto random = random_engine();
+  const std::vector<std::string> texts = damage::valid_texts();
+  std::size_t accepted = 0, changed = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const std::string& text = texts[random() % texts.size()];
+    damage::Document document = damage::opened(text);
+    const int changes = 1 + static_cast<int>(random() % 2);
+    for (int i = 0; i < changes; ++i) {
+      const auto number = [&] { return static_cast<std::uint32_t>(random() % 1000); };
+      const std::uint32_t kind = number(), a = number(), b = number(), c = number();
+      damage::damage(document, kind, a, b, c);
+    }
+    const std::string damaged = damage::closed(document);
+    if (damaged == text) continue;
+    ++changed;
+    EXPECT_EQ(damage::broken_law(damaged).value_or(""), "") << damaged;
+    accepted += static_cast<bool>(Solid::from_quoin(damaged)) ? 1 : 0;
+    if (const auto trusted = Solid::from_quoin(damaged, Trust::embedded)) {
+      EXPECT_FALSE(trusted.value().to_quoin().empty());
+    }
+  }
+  std::cout << changed << " changed, " << accepted << " accepted\n";
+  EXPECT_GT(changed, 1000u);
+}
+
+/// The fault of a text, as "message, where".
+std::string fault_of(const std::string& text) {
+  const auto solid = Solid::from_quoin(text);
+  return solid ? "" : solid.error().message + ", " + solid.error().where;
+}
+damage::Document cube() { return damage::opened(damage::block({0, 0, 0}, {4, 4, 4}).to_quoin()); }
+
+TEST(QuoinText, ASlitAlongAnEdgeOfItsFace) {
+  damage::Document d = cube();
+  d.faces[0].push_back({0, 1});
+  EXPECT_EQ(fault_of(damage::closed(d)), "the edge between the vertices 0 and 1 occurs twice in one direction, face 0");
+  d = cube();
+  d.faces[0] = {{0, 1, 0, 1, 3, 2}};
+  EXPECT_EQ(fault_of(damage::closed(d)), "the edge between the vertices 0 and 1 occurs twice in one direction, face 0");
+  EXPECT_FALSE(Solid::from_quoin(damage::closed(d), Trust::embedded));
+}
+
+TEST(QuoinText, APointOnTheLoopOfItsFace) {
+  damage::Document d = cube();
+  d.faces[0].push_back({3});
+  EXPECT_EQ(fault_of(damage::closed(d)), "vertex 3 is a point inside the face and occurs in it again, face 0");
+}
+
+TEST(QuoinText, AVertexWithoutNeed) {
+  damage::Document d = cube();
+  // One inside a straight edge, in all faces there, is read and not written again.
+  damage::damage(d, 19, 0, 0, 0);
+  EXPECT_EQ(Solid::from_quoin(damage::closed(d)).value().to_quoin(), damage::closed(cube()));
+  d = cube();
+  d.numbers.vertices.push_back({"5", "5", "5", "1"});
+  EXPECT_EQ(fault_of(damage::closed(d)), "no edge ends in the vertex, vertex 8");
+}
+
+TEST(QuoinText, AFaceCutInTwo) {
+  damage::Document d = cube();
+  damage::damage(d, 21, 0, 0, 0);
+  EXPECT_EQ(fault_of(damage::closed(d)),
+            "all faces at the edge between the vertices 0 and 3 lie on one plane: it is no edge, face 1");
+}
+
+// Order is the writer's duty: what is out of order is read, and written again in canonical order.
+TEST(QuoinText, OutOfOrder) {
+  const std::string text = damage::closed(cube());
+  for (const auto& [kind, a, b, c] :
+       std::vector<std::array<std::uint32_t, 4>>{{9, 0, 2, 3}, {2, 0, 0, 1}, {10, 2, 3, 0}}) {
+    damage::Document d = cube();
+    damage::damage(d, kind, a, b, c);
+    EXPECT_NE(damage::closed(d), text);
+    EXPECT_EQ(fault_of(damage::closed(d)), "");
+    EXPECT_EQ(Solid::from_quoin(damage::closed(d)).value().to_quoin(), text);
+  }
+}
+
+}  // namespace
+}  // namespace quoin::api_test

@@ -1,0 +1,70 @@
+/// \file
+/// The stages of a Boolean one by one, for tests that look at a single one.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "booleans/arrangement/contacts.h"
+#include "booleans/dump.h"
+#include "booleans/pairs/foreign_pairs.h"
+#include "booleans/stages.h"
+#include "tests/booleans/support.h"
+
+namespace quoin::booleans::testing {
+
+/// The values of the stages up to the sheets, of bodies that must outlive it.
+struct Drawn {
+  Operands operands;
+  FacePairs pairs;
+  Names names;
+  Touched touched;
+  Contacts contacts;
+  Sheets sheets;
+
+  explicit Drawn(std::span<const Body> bodies) : operands(pointers(bodies)), pairs(foreign_pairs(operands)) {
+    touched = collect_touched(operands, pairs, names);
+    contacts = find_contacts(touched, touched_pairs(touched, pairs), names);
+    sheets = draw_sheets(touched, contacts, names);
+  }
+  static std::vector<const Body*> pointers(std::span<const Body> bodies) {
+    std::vector<const Body*> list;
+    for (const Body& b : bodies) list.push_back(&b);
+    return list;
+  }
+};
+
+/// All of them, up to the uses.
+inline Arrangement arranged(std::span<const Body> bodies) {
+  Operands operands(Drawn::pointers(bodies));
+  const FacePairs pairs = foreign_pairs(operands);
+  return std::move(arrange(std::move(operands), pairs)).value();
+}
+
+/// The lines of a dump in alphabetical order, which no numbering changes.
+inline std::vector<std::string> sorted_lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+/// Sets a threshold for as long as it lives. Checked builds only.
+template <class T>
+class Setting {
+ public:
+  Setting(T grid::Thresholds::*member, T value) : member_(member), old_(grid::settable_thresholds().*member) {
+    grid::settable_thresholds().*member = value;
+  }
+  ~Setting() { grid::settable_thresholds().*member_ = old_; }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  T grid::Thresholds::*member_;
+  T old_;
+};
+
+}  // namespace quoin::booleans::testing
