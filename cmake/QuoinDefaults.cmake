@@ -18,6 +18,10 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 # Contraction to fused multiply-add would break the derivations of the error bounds.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wshadow)
+# GCC 12 warns of std::string's own memcpy (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  add_compile_options(-Wno-restrict)
+endif()
 
 # quoin_add_room(FOLDER OPTION): adds the folder when the option is on and the folder has a CMakeLists.txt.
 function(quoin_add_room folder switch)

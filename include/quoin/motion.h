@@ -103,7 +103,7 @@ struct MotionReport {
   /// Primitives that are about as thin as a grid step, so that rounding their vertices left nothing of them; the number
   /// of the first of them, "primitive I" from 0, or "".
   std::uint64_t vanished_primitives = 0;
-  std::string vanished_where;
+  std::string vanished_where = {};
 };
 
 struct MoveOptions {
