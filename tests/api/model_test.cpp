@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "examples/gear_box.h"
+#include "tests/api/long_numbers.h"
 #include "tests/api/solids.h"
 
 namespace quoin {
@@ -262,15 +263,7 @@ TEST(Model, TangentSpheresOfAnyRadius) {
 }
 
 TEST(Model, HalfSpacesOfLongNumbers) {
-  // An octahedron with normals of 40 digits that are not quite its own.
-  const std::string third = "0.5773502691896257645091487805019574556476";
-  std::vector<std::array<std::string, 4>> planes;
-  for (int i = 0; i < 8; ++i) {
-    std::array<std::string, 4> plane{third + "1", third + "2", third + "3", "-1"};
-    for (std::size_t k = 0; k < 3; ++k)
-      if ((i >> k & 1) != 0) plane[k] = "-" + plane[k];
-    planes.push_back(plane);
-  }
+  auto planes = api_test::planes_of_long_numbers();
   MotionReport report;
   const Solid solid = evaluated(Model::convex(planes), {}, &report);
   EXPECT_EQ(solid.info().faces, 8U);
@@ -279,6 +272,7 @@ TEST(Model, HalfSpacesOfLongNumbers) {
   EXPECT_EQ(std::round(1e6 * solid.info().volume_approx), std::round(1e6 * 4 * std::sqrt(3.0)));
   EXPECT_EQ(code(Model::convex({planes[0], planes[1], planes[2]})), "unbounded");
   // Nothing is on both sides.
+  const std::string third = "0.5773502691896257645091487805019574556476";
   planes.push_back({third, third, third, "2"});
   EXPECT_EQ(code(Model::convex(planes)), "bad-primitive");
 }

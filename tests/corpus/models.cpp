@@ -4,6 +4,7 @@
 
 #include "examples/gear_box.h"
 #include "quoin/quoin.h"
+#include "tests/api/long_numbers.h"
 #include "tests/corpus/folder.h"
 
 namespace quoin::corpus {
@@ -19,19 +20,6 @@ std::string add(Folder& folder, const std::string& name, const Model& model, con
 }
 
 Model block(const std::string& a, const std::string& b, const std::string& c) { return Model::block({a, b, c}); }
-
-/// An octahedron with normals of 40 digits that are not quite its own.
-Model long_numbers() {
-  const std::string third = "0.5773502691896257645091487805019574556476";
-  std::vector<std::array<std::string, 4>> planes;
-  for (int i = 0; i < 8; ++i) {
-    std::array<std::string, 4> plane{third + "1", third + "2", third + "3", "-1"};
-    for (std::size_t k = 0; k < 3; ++k)
-      if ((i >> k & 1) != 0) plane[k] = "-" + plane[k];
-    planes.push_back(plane);
-  }
-  return Model::convex(planes);
-}
 
 Model frame() {
   return Model::extrusion({{{{"0", "0"}, {"4", "0"}, {"4", "4"}, {"0", "4"}}, {{"1", "1"}, {"2", "1"}, {"1", "2"}}},
@@ -62,7 +50,7 @@ std::vector<std::pair<std::string, Model>> primitives() {
       {"sphere", Model::sphere("3", "16")},
       {"tangent_sphere", Model::tangent_sphere("2", "60")},
       {"torus", Model::torus("3", "1", "16", "8")},
-      {"convex", long_numbers()},
+      {"convex", Model::convex(api_test::planes_of_long_numbers())},
       {"hull", hull()},
       {"extrusion", frame()},
       {"half_space", hull() & Model::half_space({"1", "2", "3", "-19/2"})},
