@@ -40,7 +40,7 @@ struct Motion::Data {
 };
 
 struct Access {
-  using Node = Expression::Node;
+  using ExpressionNode = Expression::Node;
   using ModelNode = Model::Node;
 
   static const grid::Lattice& lattice(const Grid& grid) { return grid.data_->lattice; }
@@ -69,7 +69,7 @@ struct Access {
   static Model model(std::shared_ptr<const ModelNode> node) { return Model(std::move(node)); }
 
   /// nullptr where an expression was moved from: no terms.
-  static const Node* node(const Expression& expression) { return expression.node_.get(); }
+  static const ExpressionNode* node(const Expression& expression) { return expression.node_.get(); }
 };
 
 }  // namespace quoin

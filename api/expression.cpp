@@ -2,10 +2,10 @@
 
 namespace quoin {
 
-using Node = Access::Node;
+using ExpressionNode = Access::ExpressionNode;
 
 // Children that nobody else holds are taken over before they could recurse.
-Node::~Node() {
+Expression::Node::~Node() {
   std::vector<Expression> pending = std::move(terms);
   while (!pending.empty()) {
     const Expression last = std::move(pending.back());
@@ -17,20 +17,20 @@ Node::~Node() {
   }
 }
 
-Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-Expression::Expression(const Solid& solid) : node_(std::make_shared<const Node>(solid)) {}
-Expression::Expression(const HalfSpace& half_space) : node_(std::make_shared<const Node>(half_space)) {}
+Expression::Expression(std::shared_ptr<const ExpressionNode> node) : node_(std::move(node)) {}
+Expression::Expression(const Solid& solid) : node_(std::make_shared<const ExpressionNode>(solid)) {}
+Expression::Expression(const HalfSpace& half_space) : node_(std::make_shared<const ExpressionNode>(half_space)) {}
 
 Expression Expression::unite(std::vector<Expression> terms) {
-  return Expression(std::make_shared<const Node>(Node::Kind::any, std::move(terms)));
+  return Expression(std::make_shared<const ExpressionNode>(ExpressionNode::Kind::any, std::move(terms)));
 }
 
 Expression Expression::intersect(std::vector<Expression> terms) {
-  return Expression(std::make_shared<const Node>(Node::Kind::all, std::move(terms)));
+  return Expression(std::make_shared<const ExpressionNode>(ExpressionNode::Kind::all, std::move(terms)));
 }
 
 Expression Expression::symmetric_difference(std::vector<Expression> terms) {
-  return Expression(std::make_shared<const Node>(Node::Kind::odd, std::move(terms)));
+  return Expression(std::make_shared<const ExpressionNode>(ExpressionNode::Kind::odd, std::move(terms)));
 }
 
 Expression Expression::difference(Expression minuend, std::vector<Expression> subtrahends) {
@@ -45,7 +45,7 @@ Expression Expression::difference(Expression minuend, std::vector<Expression> su
 Expression Expression::complement(Expression term) {
   std::vector<Expression> terms;
   terms.push_back(std::move(term));
-  return Expression(std::make_shared<const Node>(Node::Kind::complement, std::move(terms)));
+  return Expression(std::make_shared<const ExpressionNode>(ExpressionNode::Kind::complement, std::move(terms)));
 }
 
 namespace {

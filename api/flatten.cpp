@@ -7,7 +7,7 @@ namespace quoin {
 
 using booleans::none;
 using booleans::Rule;
-using Node = Access::Node;
+using ExpressionNode = Access::ExpressionNode;
 
 namespace {
 
@@ -15,7 +15,7 @@ class Flattener {
  public:
   explicit Flattener(const KnownTerms& known) : known_(known) {}
 
-  Flattened run(const Node* root) {
+  Flattened run(const ExpressionNode* root) {
     pending_.push_back({root, false, none});
     while (!pending_.empty()) {
       const Item item = pending_.back();
@@ -31,7 +31,7 @@ class Flattener {
 
  private:
   struct Item {
-    const Node* node;
+    const ExpressionNode* node;
     bool negated;
     std::uint32_t parent;
   };
@@ -44,29 +44,29 @@ class Flattener {
   }
 
   void visit(const Item& item) {
-    static const Node& nothing = *new Node(Node::Kind::any, std::vector<Expression>());
-    const Node& node = item.node ? *item.node : nothing;
+    static const ExpressionNode& nothing = *new ExpressionNode(ExpressionNode::Kind::any, std::vector<Expression>());
+    const ExpressionNode& node = item.node ? *item.node : nothing;
     if (const auto known = known_.find(item.node); known != known_.end()) return add_solid(known->second, item);
     switch (node.kind) {
-      case Node::Kind::solid:
+      case ExpressionNode::Kind::solid:
         add_solid(node.solid, item);
         break;
-      case Node::Kind::half_space:
+      case ExpressionNode::Kind::half_space:
         add({Rule::operand, item.negated, number(half_spaces_, &node, out_.half_spaces, node.half_space), item.parent},
             true);
         break;
-      case Node::Kind::complement:
+      case ExpressionNode::Kind::complement:
         push(node, !item.negated, item.parent);
         break;
-      case Node::Kind::any:
-      case Node::Kind::all: {
+      case ExpressionNode::Kind::any:
+      case ExpressionNode::Kind::all: {
         // De Morgan.
-        const Rule rule = (node.kind == Node::Kind::any) != item.negated ? Rule::any : Rule::all;
+        const Rule rule = (node.kind == ExpressionNode::Kind::any) != item.negated ? Rule::any : Rule::all;
         const bool joins = item.parent != none && nodes()[item.parent].rule == rule;
         push(node, item.negated, joins ? item.parent : add({rule, false, 0, item.parent}));
         break;
       }
-      case Node::Kind::odd: {
+      case ExpressionNode::Kind::odd: {
         const bool joins = item.parent != none && nodes()[item.parent].rule == Rule::odd;
         if (joins && item.negated) nodes()[item.parent].negated = !nodes()[item.parent].negated;
         push(node, false, joins ? item.parent : add({Rule::odd, item.negated, 0, item.parent}));
@@ -79,7 +79,7 @@ class Flattener {
     add({Rule::operand, item.negated, number(solids_, Access::identity(solid), out_.solids, solid), item.parent});
   }
 
-  void push(const Node& node, bool negated, std::uint32_t parent) {
+  void push(const ExpressionNode& node, bool negated, std::uint32_t parent) {
     for (std::size_t i = node.terms.size(); i-- > 0;)
       pending_.push_back({Access::node(node.terms[i]), negated, parent});
   }
@@ -96,7 +96,7 @@ class Flattener {
   std::vector<Item> pending_;
   std::vector<bool> is_half_space_;  // by node
   std::map<const booleans::Body*, std::uint32_t> solids_;
-  std::map<const Node*, std::uint32_t> half_spaces_;
+  std::map<const ExpressionNode*, std::uint32_t> half_spaces_;
   Flattened out_;
 };
 
@@ -131,7 +131,7 @@ class SharedTerms {
     };
     std::vector<Visit> stack;
     const auto enter = [&](const Expression& e) {
-      const Node* node = Access::node(e);
+      const ExpressionNode* node = Access::node(e);
       if (!node || node->terms.empty()) return;
       const auto [at, fresh] = terms_.try_emplace(node);
       if (fresh)
@@ -153,15 +153,15 @@ class SharedTerms {
   }
 
   Leaves leaves(const Expression& e) const {
-    const Node* node = Access::node(e);
+    const ExpressionNode* node = Access::node(e);
     if (!node) return {};
-    if (node->kind == Node::Kind::solid) return {1};
-    if (node->kind == Node::Kind::half_space) return {1, true};
+    if (node->kind == ExpressionNode::Kind::solid) return {1};
+    if (node->kind == ExpressionNode::Kind::half_space) return {1, true};
     return node->terms.empty() ? Leaves{} : terms_.at(node).leaves;
   }
 
   void measure(const Expression& e) {
-    const Node* node = Access::node(e);
+    const ExpressionNode* node = Access::node(e);
     Term& term = terms_.at(node);
     for (const Expression& below : node->terms) {
       const Leaves l = leaves(below);
@@ -174,7 +174,7 @@ class SharedTerms {
     term.leaves.count = 1;
   }
 
-  std::unordered_map<const Node*, Term> terms_;
+  std::unordered_map<const ExpressionNode*, Term> terms_;
   std::vector<const Expression*> order_, large_;
 };
 

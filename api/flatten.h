@@ -21,7 +21,7 @@ struct Flattened {
 };
 
 /// Terms in `known` are the solids that they have been found to be.
-using KnownTerms = std::map<const Access::Node*, Solid>;
+using KnownTerms = std::map<const Access::ExpressionNode*, Solid>;
 Flattened flattened(const Expression& expression, const KnownTerms& known = {});
 
 /// The terms, children first, that are better evaluated by themselves: they stand in several places, and as a tree they

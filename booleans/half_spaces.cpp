@@ -58,13 +58,13 @@ std::uint32_t awaited_operand(const Expression& expression, const std::vector<Tr
   return none;
 }
 
-using Vector = std::array<Integer, 4>;  // (x, y, z, w), w >= 0; w = 0 is a direction
+using Vector4 = std::array<Integer, 4>;  // (x, y, z, w), w >= 0; w = 0 is a direction
 
 /// A pointed full-dimensional cone in (x, y, z, w): a convex region of space with the directions in which it is
 /// unbounded. Constraints have numbers; no two of them are proportional.
 struct Cone {
   struct Ray {
-    Vector v;
+    Vector4 v;
     std::vector<std::uint32_t> tight;  // constraints that hold with equality, ascending
   };
   std::vector<Ray> rays;
@@ -88,7 +88,7 @@ Cone outside_of_face(std::size_t axis, int sign, std::int32_t half_width) {
   return cone;
 }
 
-Integer value_at(const exact::Plane& plane, const Vector& v) {
+Integer value_at(const exact::Plane& plane, const Vector4& v) {
   return plane.n[0] * v[0] + plane.n[1] * v[1] + plane.n[2] * v[2] + exact::to_integer(plane.d) * v[3];
 }
 

@@ -11,7 +11,8 @@ namespace quoin::grid {
 namespace {
 
 /// The edges whose smaller end is one of first .. last - 1.
-bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count, std::size_t first, std::size_t last) {
+bool is_part_balanced(std::span<const std::uint32_t> corners, std::size_t point_count, std::size_t first,
+                      std::size_t last) {
   const auto for_edges = [&](auto&& visit) {
     const auto edge = [&](std::uint32_t a, std::uint32_t b) {
       const std::size_t low = std::size_t{std::min(a, b)} - first;
@@ -49,7 +50,7 @@ bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count
 bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count) {
   std::atomic<bool> balanced = true;
   in_shares(point_count, [&](std::size_t first, std::size_t last) {
-    if (!is_balanced(corners, point_count, first, last)) balanced = false;
+    if (!is_part_balanced(corners, point_count, first, last)) balanced = false;
   });
   return balanced;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@
 #include "quoin/format.h"
 
 namespace quoin::io {
+
+/// Vertices and corners that 32-bit indices can number: a file that holds more is refused.
+inline constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
 
 /// How content shows its format.
 enum class Evidence {

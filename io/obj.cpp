@@ -1,7 +1,6 @@
 // Wavefront OBJ: v and f; every other statement is passed over.
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "io/formats.h"
 #include "io/scanner.h"
@@ -9,8 +8,6 @@
 
 namespace quoin::io {
 namespace {
-
-constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
 
 /// Statements that may stand in an OBJ without any vertex.
 bool is_common_statement(std::string_view keyword) {

@@ -1,6 +1,5 @@
 // OFF in text form, three-dimensional: one vertex or face a line, or numbers that run on over the ends of lines.
 #include <algorithm>
-#include <limits>
 
 #include "io/formats.h"
 #include "io/scanner.h"
@@ -11,7 +10,6 @@ namespace {
 
 /// Bytes of the shortest line that is not empty.
 constexpr std::uint64_t min_line_size = 2;
-constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
 constexpr ScannerOptions off_options = {.hash_comments = true};
 
 /// The length of OFF, with any of ST, C, N before it, at the start of `word`; 0 when it is not there.

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "io/formats.h"
@@ -15,8 +14,6 @@
 
 namespace quoin::io {
 namespace {
-
-constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
 
 /// The body of an ascii PLY: words, whatever line they stand on.
 class AsciiBody {

@@ -12,7 +12,7 @@
 namespace quoin {
 
 using exact::Rational;
-using Node = Access::ModelNode;
+using ModelNode = Access::ModelNode;
 
 namespace {
 
@@ -39,7 +39,7 @@ Result<Grid> chosen_grid(const Gathered& g, const std::optional<Grid>& asked) {
 }
 
 /// An error of `place` says the primitive's number: the node says more.
-Error named(Error error, const std::vector<const Node*>& leaves) {
+Error named(Error error, const std::vector<const ModelNode*>& leaves) {
   const std::string word = "primitive ";
   if (error.where.compare(0, word.size(), word) != 0) return error;
   std::size_t length = 0;
@@ -50,7 +50,7 @@ Error named(Error error, const std::vector<const Node*>& leaves) {
 
 /// The expression of a leaf. The body of its primitive is used up.
 Result<Expression> leaf(const Term& term, const Grid& grid, std::vector<rounding::Reconstructed>& primitives) {
-  const Node& node = *term.node;
+  const ModelNode& node = *term.node;
   if (term.primitive == nowhere) {
     auto here = node.solid->on_grid(grid);
     if (!here) return here.error();

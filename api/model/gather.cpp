@@ -7,16 +7,16 @@
 
 namespace quoin {
 
-using Node = Access::ModelNode;
+using ModelNode = Access::ModelNode;
 using rounding::Shape;
 
-std::string name_of(const Node& node) {
+std::string name_of(const ModelNode& node) {
   std::string s = rule_of(node.kind).word;
   if (!node.name.empty()) s += " \"" + node.name + "\"";
   return node.place.empty() ? s : s + " at " + node.place;
 }
 
-Error at_node(Error error, const Node& node) {
+Error at_node(Error error, const ModelNode& node) {
   error.where = error.where.empty() ? name_of(node) : name_of(node) + ", " + error.where;
   return error;
 }
@@ -25,7 +25,7 @@ namespace {
 
 /// A node as it is reached: what it stands for depends on nothing else.
 struct Place {
-  const Node* node = nullptr;
+  const ModelNode* node = nullptr;
   MotionTable::Id motion = 0;
   ScopeTable::Id scope = 0;
 
@@ -35,9 +35,9 @@ struct Place {
 };
 
 /// What a child is under its parent: its motion comes before those above it.
-Result<Place> place_of_child(Gathered& g, const Place& parent, const Node* child) {
-  static const Node& empty = *new Node;
-  const Node& node = *parent.node;
+Result<Place> place_of_child(Gathered& g, const Place& parent, const ModelNode* child) {
+  static const ModelNode& empty = *new ModelNode;
+  const ModelNode& node = *parent.node;
   if (node.children.size() > 1) g.motions.share(parent.motion);
 
   Place place{child ? child : &empty, parent.motion, parent.scope};
@@ -55,7 +55,7 @@ Result<Place> place_of_child(Gathered& g, const Place& parent, const Node* child
 
 /// nullptr for a solid that stays where it is, or has no boundary.
 Result<const Shape*> shape_at(Gathered& g, const Place& place, const Options& run) {
-  const Node& node = *place.node;
+  const ModelNode& node = *place.node;
   const bool is_solid = node.kind == ModelKind::solid;
   if (is_solid && (place.motion == 0 || Access::operand(*node.solid).face_count() == 0)) return nullptr;
 
@@ -113,7 +113,7 @@ std::vector<std::size_t> merged(const std::vector<Term>& known, ModelKind kind, 
 
 /// The term that a node stands for, those of its children known.
 Result<std::size_t> add_term(Gathered& g, const Place& place, std::vector<std::size_t> children, const Options& run) {
-  const Node& node = *place.node;
+  const ModelNode& node = *place.node;
   if (is_motion(node.kind) || node.kind == ModelKind::scope) return children[0];
 
   Term term{&node, merged(g.terms, node.kind, std::move(children))};
@@ -128,7 +128,7 @@ Result<std::size_t> add_term(Gathered& g, const Place& place, std::vector<std::s
 }
 
 /// The term of the root. Depth first, each place once.
-Result<std::size_t> walk(Gathered& g, const Node& root, const Options& run) {
+Result<std::size_t> walk(Gathered& g, const ModelNode& root, const Options& run) {
   struct Visit {
     Place place;
     std::size_t next_child = 0;
@@ -167,7 +167,7 @@ Result<std::size_t> walk(Gathered& g, const Node& root, const Options& run) {
 
 }  // namespace
 
-Result<Gathered> gathered(const Node& root, const ScopeTable::Definitions& parameters, const Options& run) {
+Result<Gathered> gathered(const ModelNode& root, const ScopeTable::Definitions& parameters, const Options& run) {
   Gathered g(parameters);
   const auto term = walk(g, root, run);
   if (!term) return term.error();

@@ -8,7 +8,7 @@
 namespace quoin {
 
 using io::Json;
-using Node = Access::ModelNode;
+using ModelNode = Access::ModelNode;
 
 namespace {
 
@@ -59,7 +59,7 @@ class ModelWriter {
  public:
   std::string run(const Model& model) {
     Json document = io::json_object({{version_key, io::json_number(version)}});
-    const Node* root = Access::node(model).get();
+    const ModelNode* root = Access::node(model).get();
     // One that says nothing would be lost.
     if (root && root->kind == ModelKind::scope && root->name.empty() &&
         !(root->step.empty() && root->parameters.empty())) {
@@ -69,29 +69,29 @@ class ModelWriter {
     find_parts(root);
     name_parts();
     Json parts = io::json_object();
-    for (const Node* part : order_) parts.members.emplace_back(part_name_[part], written(part));
+    for (const ModelNode* part : order_) parts.members.emplace_back(part_name_[part], written(part));
     if (!parts.members.empty()) document.members.emplace_back("parts", std::move(parts));
     document.members.emplace_back("model", reference(root));
     return io::write_json(document);
   }
 
  private:
-  static void add_scope(const Node& scope, Json& object) {
+  static void add_scope(const ModelNode& scope, Json& object) {
     if (!scope.step.empty()) object.members.emplace_back("step", json_of(scope.step));
     if (!scope.parameters.empty()) object.members.emplace_back("parameters", json_of(scope.parameters));
   }
 
   /// Nodes with more than one parent, and every twentieth level, so that no text is nested deeply; children first.
-  void find_parts(const Node* root) {
+  void find_parts(const ModelNode* root) {
     struct Visit {
-      const Node* node;
+      const ModelNode* node;
       std::size_t next = 0;
       int height = 0;
     };
-    std::map<const Node*, int> height;
-    std::set<const Node*> shared;
+    std::map<const ModelNode*, int> height;
+    std::set<const ModelNode*> shared;
     std::vector<Visit> stack;
-    const auto enter = [&](const Node* node) {
+    const auto enter = [&](const ModelNode* node) {
       if (node == nullptr) return;
       if (const auto known = height.find(node); known != height.end()) {
         shared.insert(node);
@@ -100,7 +100,7 @@ class ModelWriter {
       }
       stack.push_back({node});
     };
-    std::vector<const Node*> all;
+    std::vector<const ModelNode*> all;
     enter(root);
     while (!stack.empty()) {
       Visit& visit = stack.back();
@@ -119,14 +119,14 @@ class ModelWriter {
       all.push_back(done.node);
       if (!stack.empty()) stack.back().height = std::max(stack.back().height, h);
     }
-    for (const Node* node : all)
+    for (const ModelNode* node : all)
       if (shared.count(node) && node != root) order_.push_back(node);
   }
 
   void name_parts() {
     std::set<std::string> taken;
     std::map<std::string, int> count;
-    for (const Node* node : order_) {
+    for (const ModelNode* node : order_) {
       const bool named = !node->name.empty() && is_text(node->name);
       const std::string base = named ? node->name : rule_of(node->kind).word;
       std::string name = base;
@@ -141,14 +141,14 @@ class ModelWriter {
     return back && back.value().text == name;
   }
 
-  Json reference(const Node* node) {
+  Json reference(const ModelNode* node) {
     if (!node) return io::json_object({{rule_of(ModelKind::any).word, io::json_list()}});
     if (const auto part = part_name_.find(node); part != part_name_.end())
       return io::json_object({{"part", io::json_text(part->second)}});
     return written(node);
   }
 
-  Json written(const Node* node) {
+  Json written(const ModelNode* node) {
     const ModelRule& rule = rule_of(node->kind);
     Json body = io::json_object();
     for (std::size_t i = 0; i < rule.fields.size(); ++i) {
@@ -172,8 +172,8 @@ class ModelWriter {
     return object;
   }
 
-  std::vector<const Node*> order_;
-  std::map<const Node*, std::string> part_name_;
+  std::vector<const ModelNode*> order_;
+  std::map<const ModelNode*, std::string> part_name_;
 };
 
 // Reading.
@@ -218,7 +218,7 @@ class ModelReader {
 
   /// A scope around a model, as "step" and "parameters" of an object say.
   Result<Model> scoped(const Json& object, Model model) {
-    auto scope = std::make_shared<Node>();
+    auto scope = std::make_shared<ModelNode>();
     scope->kind = ModelKind::scope;
     scope->place = object.place();
     scope->children.push_back(std::move(model));
@@ -285,7 +285,7 @@ class ModelReader {
   Result<Model> known_node(const Json& json, const std::string& word, const Json& body) {
     const ModelRule* rule = rule_of(word);
     if (!rule) return bad(json, "\"" + word.substr(0, 80) + "\" is no kind of node");
-    auto made = std::make_shared<Node>();
+    auto made = std::make_shared<ModelNode>();
     made->kind = rule->kind;
     made->place = json.place();
     if (rule->children == ModelChildren::many) {
@@ -309,7 +309,7 @@ class ModelReader {
     return Access::model(std::move(made));
   }
 
-  std::optional<Error> read_fields(const ModelRule& rule, const Json& body, Node& made) {
+  std::optional<Error> read_fields(const ModelRule& rule, const Json& body, ModelNode& made) {
     for (const auto& [name, value] : body.members) {
       const auto known = [&word = name](const ModelField& f) { return word == f.name; };
       const bool is_scope = rule.kind == ModelKind::scope && (name == "step" || name == "parameters");
@@ -342,7 +342,7 @@ class ModelReader {
     return std::nullopt;
   }
 
-  static std::optional<Error> read_solid(const Json& body, Node& made) {
+  static std::optional<Error> read_solid(const Json& body, ModelNode& made) {
     const Json* text = body.member("quoin");
     if (!text || text->kind != Json::Kind::text)
       return bad(body, "\"solid\" lacks \"quoin\", the text of a .quoin file");

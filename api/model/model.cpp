@@ -6,7 +6,7 @@
 
 namespace quoin {
 
-using Node = Access::ModelNode;
+using ModelNode = Access::ModelNode;
 
 namespace {
 
@@ -78,7 +78,7 @@ ModelValue value(Fit fit) {
 
 template <class... Values>
 Model primitive(ModelKind kind, const Values&... values) {
-  auto node = std::make_shared<Node>();
+  auto node = std::make_shared<ModelNode>();
   node->kind = kind;
   (node->values.push_back(value(values)), ...);
   return Access::model(std::move(node));
@@ -86,7 +86,7 @@ Model primitive(ModelKind kind, const Values&... values) {
 
 template <class... Values>
 Model moved(ModelKind kind, const Model& model, const Values&... values) {
-  auto node = std::make_shared<Node>();
+  auto node = std::make_shared<ModelNode>();
   node->kind = kind;
   (node->values.push_back(value(values)), ...);
   node->children = {model};
@@ -94,7 +94,7 @@ Model moved(ModelKind kind, const Model& model, const Values&... values) {
 }
 
 Model combined(ModelKind kind, std::vector<Model> terms) {
-  auto node = std::make_shared<Node>();
+  auto node = std::make_shared<ModelNode>();
   node->kind = kind;
   node->children = std::move(terms);
   return Access::model(std::move(node));
@@ -108,15 +108,15 @@ Model two(ModelKind kind, Model a, Model b) {
 }
 
 /// A copy of the node to be changed; of the empty model, an empty union.
-std::shared_ptr<Node> copied(const Model& model) {
+std::shared_ptr<ModelNode> copied(const Model& model) {
   const auto& node = Access::node(model);
-  return node ? std::make_shared<Node>(*node) : std::make_shared<Node>();
+  return node ? std::make_shared<ModelNode>(*node) : std::make_shared<ModelNode>();
 }
 
 /// The model as a scope: itself if it is one.
-std::shared_ptr<Node> scoped(const Model& model) {
+std::shared_ptr<ModelNode> scoped(const Model& model) {
   if (const auto& node = Access::node(model); node && node->kind == ModelKind::scope) return copied(model);
-  auto node = std::make_shared<Node>();
+  auto node = std::make_shared<ModelNode>();
   node->kind = ModelKind::scope;
   node->children = {model};
   return node;
@@ -132,7 +132,7 @@ const ModelRule* rule_of(std::string_view word) {
 }
 
 // Children that nobody else holds are taken over before they could recurse.
-Node::~Node() {
+Model::Node::~Node() {
   std::vector<Model> pending = std::move(children);
   while (!pending.empty()) {
     const Model last = std::move(pending.back());
@@ -150,7 +150,7 @@ Model::Model(const Model&) = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(const Model&) = default;
 Model& Model::operator=(Model&&) noexcept = default;
-Model::Model(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+Model::Model(std::shared_ptr<const ModelNode> node) : node_(std::move(node)) {}
 
 Model Model::block(const Text3& size) { return primitive(ModelKind::block, size); }
 Model Model::wedge(const Text3& size, const std::string& top) { return primitive(ModelKind::wedge, size, top); }
@@ -184,7 +184,7 @@ Model Model::extrusion(const std::vector<std::vector<Outline>>& polygons, const 
   return primitive(ModelKind::extrusion, polygons, along);
 }
 Model Model::solid(const Solid& solid) {
-  auto node = std::make_shared<Node>();
+  auto node = std::make_shared<ModelNode>();
   node->kind = ModelKind::solid;
   node->solid = solid;
   return Model(std::move(node));

@@ -12,7 +12,7 @@
 namespace quoin {
 
 using exact::Rational;
-using Node = Access::ModelNode;
+using ModelNode = Access::ModelNode;
 using rounding::Polyhedron;
 using rounding::WidePlane;
 
@@ -21,7 +21,7 @@ namespace {
 /// The numbers of one node, read in one scope. The first error stays, and numbers after it are 1.
 class Numbers {
  public:
-  Numbers(const Node& node, Parameters& parameters) : node_(node), parameters_(parameters) {}
+  Numbers(const ModelNode& node, Parameters& parameters) : node_(node), parameters_(parameters) {}
 
   Rational scalar(std::size_t field) { return number(node_.values[field]); }
   template <std::size_t N>
@@ -81,7 +81,7 @@ class Numbers {
     return r;
   }
 
-  const Node& node_;
+  const ModelNode& node_;
   Parameters& parameters_;
 };
 
@@ -146,7 +146,7 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
   return rounding::convex_polyhedron(planes, inside);
 }
 
-Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
+Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Options& run) {
   using enum ModelKind;
   // Fields are read in their order, so that of two errors the first is told: compilers need not keep that of arguments.
   const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) {
@@ -208,7 +208,7 @@ Result<Polyhedron> primitive(const Node& node, Numbers& n, const Options& run) {
   }
 }
 
-Result<rounding::Motion> motion(const Node& node, Numbers& n) {
+Result<rounding::Motion> motion(const ModelNode& node, Numbers& n) {
   switch (node.kind) {
     case ModelKind::rotate: {
       const auto axis = n.vector<3>(0);
@@ -232,7 +232,7 @@ Result<rounding::Motion> motion(const Node& node, Numbers& n) {
 
 /// What `make` makes of the node's numbers; a number that cannot be read comes first.
 template <class Make>
-auto made(const Node& node, Parameters& parameters, Make&& make) -> decltype(make(std::declval<Numbers&>())) {
+auto made(const ModelNode& node, Parameters& parameters, Make&& make) -> decltype(make(std::declval<Numbers&>())) {
   Numbers numbers(node, parameters);
   auto result = make(numbers);
   if (numbers.error) return *numbers.error;
@@ -243,15 +243,15 @@ auto made(const Node& node, Parameters& parameters, Make&& make) -> decltype(mak
 
 bool is_motion(ModelKind kind) { return kind >= ModelKind::rotate && kind <= ModelKind::scale; }
 
-Result<Polyhedron> primitive_of(const Node& node, Parameters& parameters, const Options& run) {
+Result<Polyhedron> primitive_of(const ModelNode& node, Parameters& parameters, const Options& run) {
   return made(node, parameters, [&](Numbers& n) { return primitive(node, n, run); });
 }
 
-Result<WidePlane> half_space_of(const Node& node, Parameters& parameters) {
+Result<WidePlane> half_space_of(const ModelNode& node, Parameters& parameters) {
   return made(node, parameters, [](Numbers& n) { return boundary_of(n.vector<4>(0)); });
 }
 
-Result<rounding::Motion> motion_of(const Node& node, Parameters& parameters) {
+Result<rounding::Motion> motion_of(const ModelNode& node, Parameters& parameters) {
   return made(node, parameters, [&](Numbers& n) { return motion(node, n); });
 }
 

@@ -9,7 +9,7 @@ namespace quoin::booleans {
 namespace {
 
 /// What the glueing of one operand knows and makes.
-struct Part {
+struct PatchPart {
   const Operands& operands;
   const Touched& touched;
   OperandId operand;
@@ -37,7 +37,7 @@ struct Part {
 
 /// How many patches there are. Far faces are one patch, wherever they are: their labels are known. Near ones join it
 /// over vertices of the far faces around them.
-std::uint32_t glue_over_vertices(const Part& part) {
+std::uint32_t glue_over_vertices(const PatchPart& part) {
   const Body& body = part.body();
   const auto chunks = part.operands.chunks_of(part.operand);
   Box around;
@@ -78,7 +78,7 @@ std::uint32_t glue_over_vertices(const Part& part) {
   return count;
 }
 
-std::uint32_t glue_over_edges(const Part& part) {
+std::uint32_t glue_over_edges(const PatchPart& part) {
   const Body& body = part.body();
   const Adjacency* adjacency = part.touched.adjacency[part.operand].get();
   std::optional<Adjacency> own;
@@ -119,7 +119,7 @@ Patches glue(const Operands& operands, const Touched& touched, const Sheets& she
   ById<OperandId, std::uint32_t> count(n);
   grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
     const OperandId o = static_cast<std::uint32_t>(i);
-    const Part part{operands, touched, o, out};
+    const PatchPart part{operands, touched, o, out};
     count[o] = operands.are_clean ? glue_over_vertices(part) : glue_over_edges(part);
   });
 

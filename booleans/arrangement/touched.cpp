@@ -6,7 +6,7 @@ namespace quoin::booleans {
 namespace {
 
 /// The touched faces of one operand, before their planes and vertices have names.
-struct Part {
+struct TouchedPart {
   struct Edge {
     std::uint32_t from, to;  // own vertices
     std::uint32_t other;     // index into planes
@@ -44,7 +44,7 @@ class Collector {
     for (const TouchedId t : Ids<TouchedId>(part.faces.size())) find_other_planes(t);
   }
 
-  Part part;
+  TouchedPart part;
   std::unique_ptr<const Adjacency> adjacency;
 
  private:
@@ -148,7 +148,7 @@ class Collector {
     };
 
     for (std::uint32_t i = part.faces[t].edges_begin; i < part.faces[t].edges_end; ++i) {
-      Part::Edge& e = part.edges[i];
+      TouchedPart::Edge& e = part.edges[i];
       at_edge(e.from, e.to).faces_at_edge(e.from, e.to, [&](std::uint32_t f, bool forward) {
         const TouchedId g = touched_of_[f];
         if (g == t) return;
@@ -170,7 +170,7 @@ class Collector {
 };
 
 /// Gives the planes and vertices of a part their names, and adds it.
-void add_part(const Operands& operands, OperandId operand, const Part& part, Names& names, Touched& out) {
+void add_part(const Operands& operands, OperandId operand, const TouchedPart& part, Names& names, Touched& out) {
   std::vector<PlaneId> plane_id;
   plane_id.reserve(part.planes.size());
   for (const exact::Plane& p : part.planes) plane_id.push_back(names.planes.id(p));
@@ -182,7 +182,7 @@ void add_part(const Operands& operands, OperandId operand, const Part& part, Nam
   for (const TouchedId t : Ids<TouchedId>(part.faces.size())) {
     TouchedFace face = part.faces[t];
     for (std::uint32_t i = face.edges_begin; i < face.edges_end; ++i) {
-      const Part::Edge& e = part.edges[i];
+      const TouchedPart::Edge& e = part.edges[i];
       const VertexId from = name(e.from), to = name(e.to);
       out.edges.push_back({from, to, plane_id[e.other]});
     }
@@ -197,7 +197,7 @@ void add_part(const Operands& operands, OperandId operand, const Part& part, Nam
     out.faces.push_back(face);
   }
 
-  for (const Part::Use& u : part.untouched)
+  for (const TouchedPart::Use& u : part.untouched)
     out.untouched.push_back({name(u.from), name(u.to), operand, operands.face(operand, u.face)});
   for (const std::uint32_t f : part.members) {
     const FaceId member = operands.face(operand, f);
@@ -243,7 +243,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   out.adjacency.resize(n);
   names.operands.resize(n);
 
-  ById<OperandId, Part> parts(n);
+  ById<OperandId, TouchedPart> parts(n);
   grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
     const OperandId o = static_cast<std::uint32_t>(i);
     if (named[o].empty()) return;
@@ -255,7 +255,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   });
 
   std::size_t faces = 0, edges = 0, members = 0;
-  for (const Part& p : parts) faces += p.faces.size(), edges += p.edges.size(), members += p.members.size();
+  for (const TouchedPart& p : parts) faces += p.faces.size(), edges += p.edges.size(), members += p.members.size();
   out.faces.reserve(faces);
   out.edges.reserve(edges);
   out.members.reserve(members);

@@ -5,20 +5,17 @@
 namespace quoin::booleans {
 namespace {
 
-bool is_grid(const exact::Point& p) { return exact::compare(p.w, exact::Denominator(1)) == 0; }
-
 /// Adds the vertices, grid points first. Returns their ids in the body.
 std::vector<std::uint32_t> add_vertices(const std::vector<exact::Point>& vertices, Body& body) {
   std::vector<std::uint32_t> id(vertices.size());
   for (const bool grid : {true, false})
     for (std::size_t v = 0; v < id.size(); ++v) {
       const exact::Point& p = vertices[v];
-      if (is_grid(p) != grid) continue;
+      if (exact::is_grid(p) != grid) continue;
 
       id[v] = static_cast<std::uint32_t>(body.vertex_count());
-      const auto& a = p.approximation;
       if (grid)
-        body.grid_points.push_back({{std::int32_t(a[0]), std::int32_t(a[1]), std::int32_t(a[2])}});
+        body.grid_points.push_back(exact::grid_point(p));
       else
         body.points.push_back(p);
     }
@@ -30,7 +27,8 @@ std::vector<std::uint32_t> add_vertices(const std::vector<exact::Point>& vertice
 bool is_raw(const Boundary& boundary, std::size_t face) {
   if (boundary.faces.loop_count(face) != 1 || boundary.faces.corner_count(face) != 3) return false;
   const auto corners = boundary.faces.corners_of(face);
-  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return is_grid(boundary.vertices[v]); });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t v) { return exact::is_grid(boundary.vertices[v]); });
 }
 
 Body body_of(const Boundary& boundary) {

@@ -20,7 +20,7 @@ using PointInFace = std::array<std::uint32_t, 2>;
 
 // 1. Half-edges
 
-HalfEdges half_edges(const Body& body) {
+HalfEdges half_edges_of(const Body& body) {
   return booleans::half_edges(body.face_count(), body.vertex_count(),
                               3 * body.triangles.size() + body.polygons.corners.size(),
                               [&](std::uint32_t f, auto&& visit) { body.for_edges(f, visit); });
@@ -139,7 +139,7 @@ std::vector<std::uint32_t> ordered_vertices(const Body& body, const std::vector<
 
 /// In lowest terms.
 exact::Point reduced(exact::Point p) {
-  if (exact::compare(p.w, exact::Denominator(1)) == 0) return p;
+  if (exact::is_grid(p)) return p;
   exact::Integer g = exact::to_integer(p.w);
   for (const auto& x : p.x) g = gcd(g, exact::to_integer(x));
   if (g == 1) return p;
@@ -225,7 +225,7 @@ class Directions {
 };
 
 /// Lists that are used again for every face. All are places among the half-edges of the face.
-struct Scratch {
+struct DividingDesk {
   std::vector<std::uint32_t> incoming;  // by their ends
   std::vector<std::uint32_t> next;      // the successor in its loop
 };
@@ -269,8 +269,8 @@ void turn_at_pinch(std::span<const HalfEdge> face, std::span<const std::uint32_t
 }
 
 /// The successor of every half-edge of a face: the first clockwise from the reversed one at its end.
-void find_successors(std::span<const HalfEdge> face, const Directions& directions, Scratch& scratch) {
-  auto& [incoming, next] = scratch;
+void find_successors(std::span<const HalfEdge> face, const Directions& directions, DividingDesk& desk) {
+  auto& [incoming, next] = desk;
   next.assign(face.size(), none);
   incoming.resize(face.size());
   std::iota(incoming.begin(), incoming.end(), 0u);
@@ -344,15 +344,15 @@ void add_loops(std::span<const HalfEdge> face, std::vector<std::uint32_t>& next,
 Boundary traced_faces(const Body& body, const HalfEdges& all, const FaceEdges& by_face,
                       std::span<const PointInFace> points, const std::vector<std::uint32_t>& rank) {
   Boundary r;
-  Scratch scratch;
+  DividingDesk desk;
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
     const std::span<const HalfEdge> face = by_face.of(f);
     if (face.empty()) continue;
 
     const exact::Plane plane = body.plane(f);
     const std::size_t first = r.faces.loop_count();
-    find_successors(face, Directions(body, all, plane), scratch);
-    add_loops(face, scratch.next, rank, r.faces);
+    find_successors(face, Directions(body, all, plane), desk);
+    add_loops(face, desk.next, rank, r.faces);
 
     const auto own = std::lower_bound(points.begin(), points.end(), PointInFace{f, 0});
     for (auto at = own; at != points.end() && (*at)[0] == f; ++at) r.faces.add_loop(std::array{rank[(*at)[1]]});
@@ -393,7 +393,7 @@ Canonical in_order(const Boundary& traced) {
 Canonical canonical(const Body& body) {
   if (!body.is_packed) return canonical(packed(body));
 
-  HalfEdges edges = half_edges(body);
+  HalfEdges edges = half_edges_of(body);
   grid::Partition merged = merged_faces(body, edges);
   const std::vector<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
   const std::vector<PointInFace> points = touching_points(body, edges, merged, needed);

@@ -37,9 +37,7 @@ std::optional<Fault> vertex_fault(const std::vector<exact::Point>& vertices) {
 
 /// On which side of a plane a vertex lies; grid points, as most are, in 128 bits.
 int side_of(const exact::Plane& plane, const exact::Point& p) {
-  if (exact::compare(p.w, exact::Denominator(1)) != 0) return exact::side(plane, p);
-  const auto& a = p.approximation;
-  return exact::side(plane, exact::GridPoint{{std::int32_t(a[0]), std::int32_t(a[1]), std::int32_t(a[2])}});
+  return exact::is_grid(p) ? exact::side(plane, exact::grid_point(p)) : exact::side(plane, p);
 }
 
 /// The sign of the face's area, counter-clockwise seen from outside being positive.

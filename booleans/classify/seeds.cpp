@@ -18,7 +18,7 @@ struct Extreme {
 };
 
 /// One facet at one edge {v, w} of the extreme vertex v of a component.
-struct Corner {
+struct UseCorner {
   AnyVertex w;
   NodeId node;
   exact::Plane plane;                // canonical
@@ -103,14 +103,14 @@ class CornerCollector {
     add_uses();
     add_untouched();
   }
-  ById<ComponentId, std::vector<Corner>> take() { return std::move(corners_); }
+  ById<ComponentId, std::vector<UseCorner>> take() { return std::move(corners_); }
 
  private:
   struct Hash {
     std::size_t operator()(AnyVertex v) const { return v.hash(); }
   };
 
-  void offer(AnyVertex v, const Corner& corner) {
+  void offer(AnyVertex v, const UseCorner& corner) {
     const auto range = wanted_.equal_range(v);
     for (auto i = range.first; i != range.second; ++i)
       if (open_.of(corner.node) == i->second) corners_[i->second].push_back(corner);
@@ -120,7 +120,7 @@ class CornerCollector {
     const Arrangement& a = open_.a;
     for (const Use& u : a.uses.list) {
       if (!a.sheets.is_facet(u.node)) continue;  // untouched faces follow
-      Corner corner{u.high, u.node, a.names.planes[u.plane], a.names.planes[u.line], u.left, false};
+      UseCorner corner{u.high, u.node, a.names.planes[u.plane], a.names.planes[u.line], u.left, false};
       offer(u.low, corner);
       corner.w = u.low;
       corner.left = !u.left;
@@ -177,12 +177,12 @@ class CornerCollector {
   const Open& open_;
   const ById<ComponentId, Extreme>& extremes_;
   std::unordered_multimap<AnyVertex, ComponentId, Hash> wanted_;
-  ById<ComponentId, std::vector<Corner>> corners_;
+  ById<ComponentId, std::vector<UseCorner>> corners_;
 };
 
 /// The direction from v to w, where at least two planes through that edge are not parallel.
 std::optional<Direction> direction(const Arrangement& a, AnyVertex v, AnyVertex w,
-                                   const std::vector<const Corner*>& edge) {
+                                   const std::vector<const UseCorner*>& edge) {
   Direction d;
   if (v.is_grid(a) && w.is_grid(a)) {
     const auto p = v.approximation(a), q = w.approximation(a);
@@ -199,8 +199,8 @@ std::optional<Direction> direction(const Arrangement& a, AnyVertex v, AnyVertex 
     }
     return r;
   };
-  for (const Corner* c : edge)
-    for (const Corner* e : edge) {
+  for (const UseCorner* c : edge)
+    for (const UseCorner* e : edge) {
       const exact::Plane& other = c == e && c->line ? *c->line : e->plane;
       if (exact::parallel(c->plane, other)) continue;
       d = cross(c->plane, other);
@@ -231,10 +231,10 @@ struct Start {
 };
 
 /// Nothing when no edge at v has two planes: of a clean operand that does not happen.
-std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vector<Corner>& corners) {
-  std::map<AnyVertex, std::vector<const Corner*>> edges;
-  for (const Corner& c : corners) edges[c.w].push_back(&c);
-  const std::vector<const Corner*>* chosen = nullptr;
+std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vector<UseCorner>& corners) {
+  std::map<AnyVertex, std::vector<const UseCorner*>> edges;
+  for (const UseCorner& c : corners) edges[c.w].push_back(&c);
+  const std::vector<const UseCorner*>* chosen = nullptr;
   Direction best{};
   for (const auto& [w, edge] : edges) {
     const auto d = direction(a, v, w, edge);
@@ -248,8 +248,8 @@ std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vect
   int k = 0;
   while (best[static_cast<std::size_t>(k)].sign() == 0) ++k;
   const int forward = best[static_cast<std::size_t>(k)].sign();
-  const Corner* first = (*chosen)[0];
-  for (const Corner* c : *chosen) {
+  const UseCorner* first = (*chosen)[0];
+  for (const UseCorner* c : *chosen) {
     const int turn = exact::cross_sign(c->plane, first->plane, k) * forward * (c->left == first->left ? 1 : -1);
     if (turn > 0) first = c;
   }

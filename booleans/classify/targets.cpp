@@ -54,13 +54,6 @@ exact::Plane lifted_edge(const exact::GridPoint& a, const exact::GridPoint& b) {
   return {{dz, 0, -dx}, exact::int128(dx) * a[2] - exact::int128(dz) * a[0]};
 }
 
-exact::GridPoint grid_point(const exact::Point& p) {
-  return {{static_cast<std::int32_t>(p.approximation[0]), static_cast<std::int32_t>(p.approximation[1]),
-           static_cast<std::int32_t>(p.approximation[2])}};
-}
-
-bool is_grid(const exact::Point& p) { return exact::compare(p.w, exact::Denominator(1)) == 0; }
-
 /// Does the edge {a, b} cross the half line from s towards +z in the (x, z) plane?
 /// Abscissas: s_x is v_x or a little more, so a point is beyond when its x > v_x. Let R contain the edge's line and be
 /// parallel to y; at s_x the line's z exceeds s_z exactly when sign R(s) = -sign R_z, and R(s) is R(v), then R . d,
@@ -69,8 +62,8 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
                  const RayStart& s) {
   if ((exact::compare_along(0, a, s.v) > 0) == (exact::compare_along(0, b, s.v) > 0)) return false;
   int at_v = 0, rise = 0, slope = 0;
-  if (is_grid(a) && is_grid(b)) {
-    const exact::Plane r = lifted_edge(grid_point(a), grid_point(b));
+  if (exact::is_grid(a) && exact::is_grid(b)) {
+    const exact::Plane r = lifted_edge(exact::grid_point(a), exact::grid_point(b));
     at_v = exact::side(r, s.v);
     rise = at_v == 0 ? dot(r, s.d).sign() : 0;
     slope = r.n[2] > 0 ? 1 : -1;  // not zero: the ends differ in x

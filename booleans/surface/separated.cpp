@@ -33,9 +33,9 @@ std::vector<std::uint8_t> with_several_fans(const Triangulated& mesh) {
 }
 
 /// The triangles at the vertices of several fans, as a mesh of their own: only these take part.
-class Part {
+class ManyFans {
  public:
-  Part(const Triangulated& mesh, const std::vector<std::uint8_t>& several) : mesh_(mesh) {
+  ManyFans(const Triangulated& mesh, const std::vector<std::uint8_t>& several) : mesh_(mesh) {
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto c = mesh.triangle(t);
       if (several[c[0]] || several[c[1]] || several[c[2]]) triangles_.push_back(t);
@@ -66,7 +66,8 @@ struct Joints {
 };
 
 /// Corners of a part whose edges are one edge of the mesh, counter-clockwise around it.
-std::vector<std::uint32_t> around_edge(const Body& body, const Part& part, const std::vector<std::uint32_t>& corners) {
+std::vector<std::uint32_t> around_edge(const Body& body, const ManyFans& part,
+                                       const std::vector<std::uint32_t>& corners) {
   std::vector<exact::Plane> planes;
   for (const std::uint32_t c : corners) planes.push_back(body.plane(part.face(c)));
   const std::uint32_t first = corners[0], last = next_corner(first);
@@ -86,7 +87,7 @@ std::vector<std::uint32_t> around_edge(const Body& body, const Part& part, const
 
 /// The pairs at one edge that bound one wedge of the solid each. The solid lies counter-clockwise after a triangle that
 /// runs backward, and before one that runs forward.
-std::vector<Joint> joints_by_wedges(const Part& part, const std::vector<std::uint32_t>& around) {
+std::vector<Joint> joints_by_wedges(const ManyFans& part, const std::vector<std::uint32_t>& around) {
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const std::uint32_t a = around[i], b = around[i + 1 < around.size() ? i + 1 : 0];
@@ -96,7 +97,7 @@ std::vector<Joint> joints_by_wedges(const Part& part, const std::vector<std::uin
 }
 
 /// Edges of which only one triangle has a part in this stay open: no fan of a vertex of several ends there.
-Joints joints_of(const Body& body, const Part& part, std::size_t vertex_count) {
+Joints joints_of(const Body& body, const ManyFans& part, std::size_t vertex_count) {
   struct Edge {
     std::uint32_t high, corner;
   };
@@ -124,7 +125,7 @@ Joints joints_of(const Body& body, const Part& part, std::size_t vertex_count) {
 }
 
 /// The corners of the part that are one vertex of the separated mesh.
-grid::Partition fans(const Part& part, const Joints& joints) {
+grid::Partition fans(const ManyFans& part, const Joints& joints) {
   grid::Partition corners(part.corner_count());
   const auto unite = [&](const Joint& j) {
     corners.unite(j[0], next_corner(j[1]));
@@ -138,8 +139,8 @@ grid::Partition fans(const Part& part, const Joints& joints) {
 
 /// The mesh with each fan's vertex its own. Vertices keep their order; the fans of one follow each other in the order
 /// of their first corners.
-Triangulated with_split_vertices(const Triangulated& mesh, const std::vector<std::uint8_t>& several, const Part& part,
-                                 grid::Partition& fan) {
+Triangulated with_split_vertices(const Triangulated& mesh, const std::vector<std::uint8_t>& several,
+                                 const ManyFans& part, grid::Partition& fan) {
   std::vector<std::array<std::uint32_t, 2>> split;  // (vertex, first corner)
   for (std::uint32_t c = 0; c < part.corner_count(); ++c)
     if (several[part.vertex(c)] && fan.find(c) == c) split.push_back({part.vertex(c), c});
@@ -260,7 +261,7 @@ Triangulated separated(const Body& body, Triangulated mesh) {
   const std::vector<std::uint8_t> several = with_several_fans(mesh);
   if (several.empty()) return mesh;
 
-  const Part part(mesh, several);
+  const ManyFans part(mesh, several);
   Joints joints = joints_of(body, part, mesh.vertex_count());
   grid::Partition fan = fans(part, joints);
   Triangulated apart = with_split_vertices(mesh, several, part, fan);

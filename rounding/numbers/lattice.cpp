@@ -9,7 +9,7 @@ using exact::Integer;
 
 namespace {
 
-Integer dot(const LatticeVector& a, const LatticeVector& b) {
+Integer inner_product(const LatticeVector& a, const LatticeVector& b) {
   Integer sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -50,7 +50,7 @@ class Reducer {
  private:
   void orthogonalize(std::size_t k) {
     for (std::size_t j = 0; j <= k; ++j) {
-      Integer u = dot(b_[k], b_[j]);
+      Integer u = inner_product(b_[k], b_[j]);
       for (std::size_t i = 0; i < j; ++i) u = (d_[i + 1] * u - lambda_[k][i] * lambda_[j][i]) / d_[i];
       if (j < k)
         lambda_[k][j] = u;

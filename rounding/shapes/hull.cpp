@@ -18,7 +18,7 @@ class Hull {
   explicit Hull(std::vector<Vector> points) : points_(std::move(points)) {}
 
   Result<Polyhedron> run() {
-    if (!start()) return Error{ErrorCode::bad_primitive, "the points of a convex hull lie in one plane"};
+    if (!start()) return bad_primitive("the points of a convex hull lie in one plane");
     for (Index p = 0; p < points_.size(); ++p) insert(p);
     return merged();
   }

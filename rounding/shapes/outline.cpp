@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "rounding/shapes/polyhedron.h"
+
 namespace quoin::rounding {
 
 Rational cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -17,8 +19,6 @@ Rational doubled_area(std::span<const PlanePoint> outline) {
 }
 
 namespace {
-
-Error bad(std::string message) { return {ErrorCode::bad_primitive, std::move(message)}; }
 
 /// Without repeated corners and those on a straight side; nothing where the outline runs back on itself.
 std::optional<Outline> without_straight_corners(Outline loop) {
@@ -75,7 +75,8 @@ std::optional<Error> crossing_fault(const std::vector<Outline>& loops) {
     std::erase_if(active, [&](const Side* other) { return other->high() < side.low(); });
     for (const Side* other : active)
       if (meet(*other, side))
-        return bad("the outlines of an extrusion cross or touch near " + text(side.from) + " to " + text(side.to));
+        return bad_primitive("the outlines of an extrusion cross or touch near " + text(side.from) + " to " +
+                             text(side.to));
     active.push_back(&side);
   }
   return std::nullopt;
@@ -94,9 +95,9 @@ bool is_inside(const PlanePoint& p, const Outline& loop) {
 /// One outline of a region: the first counter-clockwise, the others clockwise.
 Result<Outline> turned(const Outline& given, bool is_hole) {
   auto loop = without_straight_corners(given);
-  if (!loop) return bad("an outline of an extrusion runs back on itself, or encloses no area");
+  if (!loop) return bad_primitive("an outline of an extrusion runs back on itself, or encloses no area");
   const Rational area = doubled_area(*loop);
-  if (loop->size() < 3 || area == 0) return bad("an outline of an extrusion encloses no area");
+  if (loop->size() < 3 || area == 0) return bad_primitive("an outline of an extrusion encloses no area");
 
   if ((area > 0) == is_hole) std::reverse(loop->begin(), loop->end());
   return std::move(*loop);
@@ -108,7 +109,7 @@ std::optional<Error> hole_fault(const Region& region) {
     const PlanePoint& p = region[h][0];
     bool fits = is_inside(p, region[0]);
     for (std::size_t g = 1; g < region.size(); ++g) fits = fits && (g == h || !is_inside(p, region[g]));
-    if (!fits) return bad("a hole of an extrusion does not lie inside its outline alone, at " + text(p));
+    if (!fits) return bad_primitive("a hole of an extrusion does not lie inside its outline alone, at " + text(p));
   }
   return std::nullopt;
 }
@@ -119,7 +120,7 @@ std::optional<Error> overlap_fault(const Region& region, const Region& other) {
   if (!is_inside(p, other[0])) return std::nullopt;
   for (std::size_t g = 1; g < other.size(); ++g)
     if (is_inside(p, other[g])) return std::nullopt;
-  return bad("polygons of an extrusion overlap at " + text(p));
+  return bad_primitive("polygons of an extrusion overlap at " + text(p));
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ Result<std::vector<Region>> oriented(const std::vector<Region>& regions) {
   std::vector<Region> result;
   std::vector<Outline> all;
   for (const Region& region : regions) {
-    if (region.empty()) return bad("a polygon of an extrusion has no outline");
+    if (region.empty()) return bad_primitive("a polygon of an extrusion has no outline");
     Region& out = result.emplace_back();
     for (const Outline& given : region) {
       auto outline = turned(given, !out.empty());

@@ -6,14 +6,19 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "booleans/body/canonical.h"
 #include "grid/grid.h"
 #include "grid/lists/loops.h"
+#include "quoin/result.h"
 #include "rounding/planes/wide_plane.h"
 
 namespace quoin::rounding {
+
+inline Error bad_primitive(std::string message) { return {ErrorCode::bad_primitive, std::move(message)}; }
 
 /// The boundary of a bounded solid with rational vertices, maximal faces and edges. Model units, or grid steps.
 /// Normals point outwards, loops run counter-clockwise seen from outside.

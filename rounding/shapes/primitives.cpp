@@ -13,20 +13,18 @@ namespace {
 
 using Index = std::uint32_t;
 
-Error bad(std::string message) { return {ErrorCode::bad_primitive, std::move(message)}; }
-
 /// The highest number of sides: more would be millions of faces.
 constexpr Index most_sides = 1 << 16;
 
 std::optional<Error> sides_fault(Index sides, Index least) {
   if (sides >= least && sides <= most_sides) return std::nullopt;
-  return bad("the number of sides must be between " + std::to_string(least) + " and " + std::to_string(most_sides) +
-             ", not " + std::to_string(sides));
+  return bad_primitive("the number of sides must be between " + std::to_string(least) + " and " +
+                       std::to_string(most_sides) + ", not " + std::to_string(sides));
 }
 
 std::optional<Error> positive_fault(const Rational& v, const char* what) {
   if (v > 0) return std::nullopt;
-  return bad(std::string("the ") + what + " must be positive, not " + exact::to_string(v));
+  return bad_primitive(std::string("the ") + what + " must be positive, not " + exact::to_string(v));
 }
 
 std::vector<Index> run(Index begin, Index count) {
@@ -93,7 +91,7 @@ Result<Polyhedron> frustum(std::uint32_t sides, const Rational& bottom, const Ra
                            Fit fit) {
   if (auto fault = sides_fault(sides, 3)) return *fault;
   if (auto fault = positive_fault(height, "height")) return *fault;
-  if (bottom < 0 || top < 0 || (bottom == 0 && top == 0)) return bad("a radius is negative, or both are 0");
+  if (bottom < 0 || top < 0 || (bottom == 0 && top == 0)) return bad_primitive("a radius is negative, or both are 0");
 
   const Outline unit = circle_polygon(sides, 1, fit);
   Polyhedron p;
@@ -119,8 +117,8 @@ Result<Polyhedron> frustum(std::uint32_t sides, const Rational& bottom, const Ra
 Result<Polyhedron> sphere(const Rational& radius, std::uint32_t sides) {
   if (auto fault = sides_fault(sides, 4)) return *fault;
   if (auto fault = positive_fault(radius, "radius")) return *fault;
-  if (sides % 2 != 0) return bad("a sphere must have an even number of sides, not " + std::to_string(sides));
-  if (sides > 4096) return bad("a sphere of more than 4096 sides has too many faces");
+  if (sides % 2 != 0) return bad_primitive("a sphere must have an even number of sides, not " + std::to_string(sides));
+  if (sides > 4096) return bad_primitive("a sphere of more than 4096 sides has too many faces");
 
   const Outline unit = circle_polygon(sides, 1, Fit::inscribed);
   Polyhedron p;
@@ -161,9 +159,10 @@ Result<std::vector<WidePlane>> tangent_sphere(const Rational& radius, std::uint3
 Result<Polyhedron> torus(const Rational& major, const Rational& minor, std::uint32_t sides, std::uint32_t minor_sides) {
   for (const Index n : {sides, minor_sides})
     if (auto fault = sides_fault(n, 3)) return *fault;
-  if (std::uint64_t{sides} * minor_sides > 1 << 22) return bad("a torus of more than 2^22 faces is too large");
+  if (std::uint64_t{sides} * minor_sides > 1 << 22)
+    return bad_primitive("a torus of more than 2^22 faces is too large");
   if (auto fault = positive_fault(minor, "minor radius")) return *fault;
-  if (major <= minor) return bad("the major radius of a torus must exceed its minor radius");
+  if (major <= minor) return bad_primitive("the major radius of a torus must exceed its minor radius");
 
   const Outline turn = circle_polygon(sides, 1, Fit::inscribed);
   const Outline section = circle_polygon(minor_sides, minor, Fit::inscribed);
@@ -195,7 +194,7 @@ void add_cap(Polyhedron& p, const Rings& rings, bool looks_up) {
 
 Result<Polyhedron> extrusion(const std::vector<Region>& polygons, const Vector& along) {
   if (along[2] == 0)
-    return bad("an extrusion along a vector parallel to the plane of its polygons has an area, no volume");
+    return bad_primitive("an extrusion along a vector parallel to the plane of its polygons has an area, no volume");
   const auto regions = oriented(polygons);
   if (!regions) return regions.error();
 
