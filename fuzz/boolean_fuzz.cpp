@@ -138,14 +138,17 @@ void check_resolve(const Script& s) {
   require(canonical(resolved) == canonical(all), "one mesh of all operands resolves to their union");
 }
 
-/// The canonical form of a resolved mesh, with the ways of small inputs or with those of large ones.
-Canonical resolved_form(const Body& mesh, const grid::Thresholds& thresholds) {
+/// make(), a body, with the ways of small inputs and with those of large ones: its canonical form.
+template <class Make>
+Canonical form_by_any_way(Make make) {
   grid::Thresholds& now = grid::settable_thresholds();
-  const grid::Thresholds before = std::exchange(now, thresholds);
-  std::uint64_t crossings = 0;
-  const Canonical form = canonical(checked(resolve(mesh, crossings)));
+  const grid::Thresholds before = std::exchange(now, grid::Thresholds::smallest());
+  const Canonical smallest = canonical(checked(make()));
+  now = grid::Thresholds::largest();
+  const Canonical largest = canonical(checked(make()));
   now = before;
-  return form;
+  require(smallest == largest, "no threshold changes a result");
+  return smallest;
 }
 
 /// Flat regions that cover their plane more than once.
@@ -159,8 +162,10 @@ void check_folded_sheet(std::span<const std::uint8_t> bytes) {
   const std::int64_t reach = between(1, 8);
   const auto mesh = testing::folded_sheet(between, n, reach);
   if (!mesh) return;
-  require(resolved_form(*mesh, grid::Thresholds::smallest()) == resolved_form(*mesh, grid::Thresholds::largest()),
-          "no threshold changes a result");
+  form_by_any_way([&] {
+    std::uint64_t crossings = 0;
+    return resolve(*mesh, crossings);
+  });
 }
 
 void run(std::span<const std::uint8_t> bytes) {
@@ -170,6 +175,8 @@ void run(std::span<const std::uint8_t> bytes) {
   std::vector<const Body*> operands;
   for (const Body& b : s.operands) operands.push_back(&b);
   const Body at_once = checked(evaluate(operands, s.expression));
+  require(canonical(at_once) == form_by_any_way([&] { return evaluate(operands, s.expression); }),
+          "no threshold changes a result");
   const Body stepwise = pairwise(s, 0);
   require(canonical(at_once) == canonical(stepwise), "all at once and one by one give one solid");
   check_result(at_once);
