@@ -37,7 +37,12 @@ WideBox triangle_box(const Body& body, std::uint32_t t) {
 
 Box polygon_box(const Body& body, std::uint32_t face) {
   Box box;
-  body.for_corners(face, [&](std::uint32_t v) { box.add(body.approximation(v)); });
+  body.for_corners(face, [&](std::uint32_t v) {
+    if (body.is_grid(v))
+      box.add(body.grid_points[v]);
+    else
+      box.add_around(body.derived(v).approximation);
+  });
   return box;
 }
 

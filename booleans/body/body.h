@@ -113,6 +113,7 @@ struct Body {
   }
 };
 
+/// Holds the face, exactly.
 Box face_box(const Body& body, std::uint32_t face);
 
 /// Appends the chunks of the faces begin .. end - 1.

@@ -11,18 +11,26 @@
 namespace quoin::booleans {
 
 /// A closed box, grid steps. Touching boxes meet.
-/// Of derived points it holds the rounded coordinates, in whole steps outward. Rounding is monotone, so boxes of what
-/// meets do meet; but a coordinate that rounds to an integer may lie beyond the box, by less than a step. Whoever
-/// compares exact numbers with a box leaves a step.
+/// Rounding is monotone, so boxes of rounded coordinates meet where the exact ones do. Whoever compares exact numbers
+/// with a box wants one that holds the exact points (add_around).
 struct Box {
   std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
   std::array<std::int32_t, 3> high{INT32_MIN, INT32_MIN, INT32_MIN};
 
+  /// Rounded coordinates, in whole steps outward.
   void add(const std::array<double, 3>& p) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto toward_zero = static_cast<std::int32_t>(p[k]);
       low[k] = std::min(low[k], toward_zero - (p[k] < toward_zero));
       high[k] = std::max(high[k], toward_zero + (p[k] > toward_zero));
+    }
+  }
+  /// The exact point whose correctly rounded coordinates are p: it may lie on either side of a whole one.
+  void add_around(const std::array<double, 3>& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto toward_zero = static_cast<std::int32_t>(p[k]);
+      low[k] = std::min(low[k], toward_zero - (p[k] <= toward_zero));
+      high[k] = std::max(high[k], toward_zero + (p[k] >= toward_zero));
     }
   }
   void add(const exact::GridPoint& p) {

@@ -41,8 +41,7 @@ bool covers(const Body& body, std::uint32_t face, const RationalPoint& p, std::s
   return odd;
 }
 
-/// With the step that a box of rounded coordinates needs.
-bool in_range(const Rational& x, std::int32_t low, std::int32_t high) { return x >= low - 1 && x <= high + 1; }
+bool in_range(const Rational& x, std::int32_t low, std::int32_t high) { return x >= low && x <= high; }
 
 }  // namespace
 
@@ -53,7 +52,7 @@ int locate(const Body& body, const RationalPoint& point) {
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
     const Box box = face_box(body, f);
     if (!in_range(point[1], box.low[1], box.high[1]) || !in_range(point[2], box.low[2], box.high[2]) ||
-        point[0] < box.low[0] - 1)
+        point[0] < box.low[0])
       continue;
 
     const exact::Plane plane = body.plane(f);

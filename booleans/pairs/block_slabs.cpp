@@ -7,9 +7,8 @@ namespace quoin::booleans {
 std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box) {
   std::array<exact::GridPoint, 2> r{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::int32_t low = box.low[k] - 1, high = box.high[k] + 1;
-    r[0].c[k] = n[k] < 0 ? high : low;
-    r[1].c[k] = n[k] < 0 ? low : high;
+    r[0].c[k] = n[k] < 0 ? box.high[k] : box.low[k];
+    r[1].c[k] = n[k] < 0 ? box.low[k] : box.high[k];
   }
   return r;
 }

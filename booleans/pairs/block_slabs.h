@@ -82,8 +82,7 @@ class BlockSlabs {
   std::vector<Slab> slabs_;
 };
 
-/// The points that lie lowest and highest along a direction, of what has this box: its corners, one step farther out,
-/// for the box of derived points holds their rounded coordinates (box.h).
+/// The corners of a box that lie lowest and highest along a direction.
 std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box);
 
 }  // namespace quoin::booleans
