@@ -2,6 +2,7 @@
 /// Items by a key: the counting sort.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -12,30 +13,44 @@
 
 namespace quoin::grid {
 
+/// The counting sort in memory of the caller. for_items(visit) calls visit(key, item) for every item, each key below
+/// start.size() - 2. It is called twice and must give the same keys in the same order: it counts the items, then places
+/// them in to(n), the memory of n items. `start` holds zeros; then the items of key k have the places start[k] ..
+/// start[k + 1] - 1, in the order in which they came. Items are below 2^32.
+template <class ForItems, class To>
+void counting_sort(std::span<std::uint32_t> start, ForItems&& for_items, To&& to) {
+  // Counted two places on, then summed: start[k + 1] is where key k begins, and when all its items are placed, ends.
+  for_items([&](std::size_t key, const auto&) {
+    assert(key + 2 < start.size());
+    ++start[key + 2];
+  });
+  for (std::size_t k = 2; k < start.size(); ++k) start[k] += start[k - 1];
+
+  auto* const items = to(start.back());
+  for_items([&](std::size_t key, auto&& item) { items[start[key + 1]++] = std::forward<decltype(item)>(item); });
+}
+
 /// Items in buckets 0 .. size() - 1, those of one bucket in the order in which they came. Time and memory are
 /// O(items + buckets); items are below 2^32.
 template <class Item = std::uint32_t>
 class Buckets {
  public:
   Buckets() = default;
-  /// for_items(visit) calls visit(key, item) for every item, each key below `count`. It is called twice and must give
-  /// the same keys in the same order: it counts the items, then places them.
+  /// The items that for_items gives `counting_sort`, each key below `count`.
   template <class ForItems>
-  Buckets(std::size_t count, ForItems&& for_items) : start_(count + 2) {
-    // Counted two places on, then summed: start_[k + 1] is where bucket k begins, and when it is full, where it ends.
-    for_items([&](std::size_t key, const Item&) {
-      assert(key < count);
-      ++start_[key + 2];
-    });
-    for (std::size_t k = 2; k < start_.size(); ++k) start_[k] += start_[k - 1];
-
-    items_ = std::make_unique_for_overwrite<Item[]>(start_.back());
-    for_items([&](std::size_t key, auto&& item) { items_[start_[key + 1]++] = std::forward<decltype(item)>(item); });
+  Buckets(std::size_t count, ForItems&& for_items) {
+    assign(count, for_items);
+  }
+  /// Other items, in the memory of those before.
+  template <class ForItems>
+  void assign(std::size_t count, ForItems&& for_items) {
+    start_.assign(count + 2, 0);
+    counting_sort(std::span(start_), for_items, [&](std::size_t n) { return memory(n); });
     start_.pop_back();
   }
 
   /// The number of buckets.
-  std::size_t size() const { return start_.size() - 1; }
+  std::size_t size() const { return start_.empty() ? 0 : start_.size() - 1; }
   std::span<const Item> operator[](std::size_t bucket) const {
     return {items_.get() + start_[bucket], start_[bucket + 1] - start_[bucket]};
   }
@@ -43,13 +58,22 @@ class Buckets {
     return {items_.get() + start_[bucket], start_[bucket + 1] - start_[bucket]};
   }
   /// All items, bucket by bucket; those of bucket k have the places start(k) .. start(k + 1) - 1.
-  std::span<const Item> items() const { return {items_.get(), start_.back()}; }
-  std::span<Item> items() { return {items_.get(), start_.back()}; }
+  std::span<const Item> items() const { return {items_.get(), item_count()}; }
+  std::span<Item> items() { return {items_.get(), item_count()}; }
   std::uint32_t start(std::size_t bucket) const { return start_[bucket]; }
 
  private:
-  std::vector<std::uint32_t> start_ = {0};
+  std::uint32_t item_count() const { return start_.empty() ? 0 : start_.back(); }
+  Item* memory(std::size_t n) {
+    if (items_ && n <= capacity_) return items_.get();  // a moved-from one has no items, but a capacity
+    capacity_ = items_ ? std::max(n, 2 * capacity_) : n;
+    items_ = std::make_unique_for_overwrite<Item[]>(capacity_);
+    return items_.get();
+  }
+
+  std::vector<std::uint32_t> start_;
   std::unique_ptr<Item[]> items_;
+  std::size_t capacity_ = 0;
 };
 
 /// The numbers i = 0 .. n - 1 in `count` buckets by key_of(i), which is asked twice.

@@ -88,6 +88,54 @@ TEST(Buckets, SeveralItemsAStep) {
   EXPECT_EQ(at(3), Edges{});
 }
 
+// In one memory, which grows, is moved away and begins anew: as if made each time.
+TEST(Buckets, AssignedAgain) {
+  Buckets<> again, elsewhere;
+  for (std::uint64_t number = 0; number < case_count(500); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xB0E, number);
+    const auto keys = random_keys(random);
+    const std::size_t count = bound_of(keys, random);
+    if (random.one_in(20)) elsewhere = std::move(again);
+
+    again.assign(count, [&](auto&& visit) {
+      for (std::uint32_t i = 0; i < keys.size(); ++i) visit(keys[i], i);
+    });
+    const Buckets<> once = in_buckets(keys.size(), count, [&](std::uint32_t i) { return keys[i]; });
+    ASSERT_EQ(again.size(), count);
+    for (std::uint32_t k = 0; k < count; ++k)
+      ASSERT_TRUE(std::equal(again[k].begin(), again[k].end(), once[k].begin(), once[k].end()));
+    ASSERT_EQ(again.items().size(), keys.size());
+  }
+}
+
+// In memory of the caller, of items that carry their keys.
+TEST(CountingSort, IsStable) {
+  using Keyed = std::pair<std::uint32_t, std::uint32_t>;  // key, index
+  for (std::uint64_t number = 0; number < case_count(100); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xB0F, number);
+    const auto keys = random_keys(random);
+    std::vector<Keyed> given, placed(keys.size());
+    for (std::uint32_t i = 0; i < keys.size(); ++i) given.push_back({keys[i], i});
+
+    std::vector<std::uint32_t> start(bound_of(keys, random) + 2);
+    const auto for_items = [&](auto&& visit) {
+      for (const Keyed& x : given) visit(x.first, x);
+    };
+    counting_sort(std::span(start), for_items, [&](std::size_t n) {
+      EXPECT_EQ(n, keys.size());
+      return placed.data();
+    });
+    std::sort(given.begin(), given.end());
+    ASSERT_EQ(placed, given);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      ASSERT_LE(start[placed[i].first], i);
+      ASSERT_GT(start[placed[i].first + 1], i);
+    }
+  }
+}
+
 TEST(Buckets, Nothing) {
   EXPECT_EQ(Buckets<>().size(), 0u);
   EXPECT_TRUE(Buckets<>().items().empty());
