@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 
+#include "grid/lists/buckets.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::grid {
@@ -13,7 +13,8 @@ namespace {
 /// The edges whose smaller end is one of first .. last - 1.
 bool is_part_balanced(std::span<const std::uint32_t> corners, std::size_t point_count, std::size_t first,
                       std::size_t last) {
-  const auto for_edges = [&](auto&& visit) {
+  // By the smaller end: the larger end and the direction.
+  const Buckets<> edges(last - first, [&](auto&& visit) {
     const auto edge = [&](std::uint32_t a, std::uint32_t b) {
       const std::size_t low = std::size_t{std::min(a, b)} - first;
       if (low < last - first) visit(low, std::max(a, b) * 2 + (a > b ? 1U : 0U));
@@ -23,20 +24,15 @@ bool is_part_balanced(std::span<const std::uint32_t> corners, std::size_t point_
       edge(corners[c + 1], corners[c + 2]);
       edge(corners[c + 2], corners[c]);
     }
-  };
-  // Buckets by the smaller end hold the larger end and the direction.
-  std::vector<std::uint32_t> at(last - first + 2);
-  for_edges([&](std::size_t low, std::uint32_t) { ++at[low + 2]; });
-  for (std::size_t i = 2; i < at.size(); ++i) at[i] += at[i - 1];
-  const auto entries = std::make_unique_for_overwrite<std::uint32_t[]>(at.back());
-  for_edges([&](std::size_t low, std::uint32_t entry) { entries[at[low + 1]++] = entry; });
-  // Now bucket i is [at[i], at[i + 1]). Counters are all zero between buckets: `open` is the sum of their magnitudes.
+  });
+
+  // Counters are all zero between buckets: `open` is the sum of their magnitudes.
   std::vector<std::int32_t> counter(point_count);
   for (std::size_t i = 0; i + first < last; ++i) {
     std::int64_t open = 0;
-    for (std::uint32_t j = at[i]; j < at[i + 1]; ++j) {
-      std::int32_t& c = counter[entries[j] >> 1];
-      const std::int32_t before = c, after = before + ((entries[j] & 1) != 0 ? -1 : 1);
+    for (const std::uint32_t edge : edges[i]) {
+      std::int32_t& c = counter[edge >> 1];
+      const std::int32_t before = c, after = before + ((edge & 1) != 0 ? -1 : 1);
       open += (after < 0 ? -after : after) - (before < 0 ? -before : before);
       c = after;
     }
