@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "booleans/body/body.h"
+#include "grid/lists/buckets.h"
 
 namespace quoin::booleans {
 
@@ -59,13 +60,11 @@ class Adjacency {
     bool forward;
   };
 
-  std::uint32_t triangle_count(std::uint32_t u) const {
-    return u < body_.grid_points.size() ? start_[u + 1] - start_[u] : 0;
-  }
+  std::size_t triangle_count(std::uint32_t u) const { return body_.is_grid(u) ? corners_[u].size() : 0; }
   template <class Visit>
   void for_triangles(std::uint32_t u, Visit&& visit) const {
-    if (u >= body_.grid_points.size()) return;
-    for (std::uint32_t i = start_[u]; i < start_[u + 1]; ++i) visit(corner_[i] / 3, corner_[i] % 3);
+    if (!body_.is_grid(u)) return;
+    for (const std::uint32_t c : corners_[u]) visit(c / 3, c % 3);
   }
   template <class Visit>
   void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
@@ -75,9 +74,9 @@ class Adjacency {
   }
 
   const Body& body_;
-  std::vector<std::uint8_t> marked_;           // empty: all
-  std::vector<std::uint32_t> start_, corner_;  // triangle corners (3 t + k) by vertex
-  std::vector<PolygonEdge> edges_;             // both directions, sorted
+  std::vector<std::uint8_t> marked_;  // empty: all
+  grid::Buckets<> corners_;           // of triangles (3 t + k), by vertex
+  std::vector<PolygonEdge> edges_;    // both directions, sorted
 };
 
 }  // namespace quoin::booleans
