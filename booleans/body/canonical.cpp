@@ -22,7 +22,6 @@ using PointInFace = std::array<std::uint32_t, 2>;
 
 HalfEdges half_edges_of(const Body& body) {
   return booleans::half_edges(body.face_count(), body.vertex_count(),
-                              3 * body.triangles.size() + body.polygons.corners.size(),
                               [&](std::uint32_t f, auto&& visit) { body.for_edges(f, visit); });
 }
 
@@ -42,7 +41,7 @@ bool coplanar(const Body& body, std::uint32_t f, std::uint32_t g) {
 
 /// The maximal faces, as sets of faces: an edge of exactly two faces on one oriented plane is no edge. Marks the
 /// half-edges that stay, and where their undirected edges begin.
-grid::Partition merged_faces(const Body& body, HalfEdges& edges) {
+grid::Partition merged_faces(const Body& body, std::span<HalfEdge> edges) {
   grid::Partition merged(body.face_count());
   for_undirected_edges(edges, [&](std::size_t i, std::size_t j) {
     if (j - i == 2 && edges[i].from == edges[i + 1].to && coplanar(body, edges[i].face, edges[i + 1].face)) {
@@ -59,7 +58,7 @@ grid::Partition merged_faces(const Body& body, HalfEdges& edges) {
 // 3. Needed vertices
 
 /// The vertices that must be: those with more than two neighbours along kept edges. One with two lies inside an edge.
-std::vector<std::uint8_t> needed_vertices(const HalfEdges& edges, std::size_t vertex_count) {
+std::vector<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::size_t vertex_count) {
   std::vector<std::array<std::uint32_t, 2>> neighbours(vertex_count, {none, none});
   std::vector<std::uint8_t> needed(vertex_count);
   const auto add = [&](std::uint32_t v, std::uint32_t w) {
@@ -80,7 +79,7 @@ std::vector<std::uint8_t> needed_vertices(const HalfEdges& edges, std::size_t ve
 }
 
 /// Needed vertices where edges between merged faces have gone and none of the merged face's own has stayed.
-std::vector<PointInFace> points_inside(const HalfEdges& edges, grid::Partition& merged,
+std::vector<PointInFace> points_inside(std::span<const HalfEdge> edges, grid::Partition& merged,
                                        const std::vector<std::uint8_t>& needed) {
   std::vector<PointInFace> inside, on_boundary;
   std::vector<std::uint8_t> in_some(needed.size());
@@ -103,7 +102,7 @@ std::vector<PointInFace> points_inside(const HalfEdges& edges, grid::Partition& 
 }
 
 /// The needed vertices inside merged faces, by face: those that the body lists, and those that come with merging.
-std::vector<PointInFace> touching_points(const Body& body, const HalfEdges& edges, grid::Partition& merged,
+std::vector<PointInFace> touching_points(const Body& body, std::span<const HalfEdge> edges, grid::Partition& merged,
                                          const std::vector<std::uint8_t>& needed) {
   std::vector<PointInFace> points = points_inside(edges, merged, needed);
   for (std::uint32_t p = 0; p < body.polygon_count(); ++p)
@@ -152,26 +151,17 @@ exact::Point reduced(exact::Point p) {
 // 5. Loops
 
 /// The kept half-edges by merged face, within a face by (from, to).
-struct FaceEdges {
-  HalfEdges edges;
-  std::vector<std::uint32_t> start;  // of every face of the body; those that are merged into another one have none
-
-  std::span<const HalfEdge> of(std::size_t face) const {
-    return std::span(edges).subspan(start[face], start[face + 1] - start[face]);
-  }
-};
-
-FaceEdges face_edges(const HalfEdges& all, grid::Partition& merged, std::size_t face_count) {
-  FaceEdges r;
-  for (const HalfEdge& e : all) {
-    if (!e.kept) continue;
-    r.edges.push_back(e);
-    r.edges.back().face = merged.find(e.face);
-  }
-  r.start = sort_by(
-      r.edges, face_count, [](const HalfEdge& e) { return e.face; },
+HalfEdges face_edges(std::span<const HalfEdge> all, grid::Partition& merged, std::size_t face_count) {
+  HalfEdges by_face(face_count, [&](auto&& visit) {
+    for (const HalfEdge& e : all) {
+      if (!e.kept) continue;
+      const std::uint32_t face = merged.find(e.face);
+      visit(face, HalfEdge{e.from, e.to, face, e.run, true});
+    }
+  });
+  by_face.sort_each(
       [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
-  return r;
+  return by_face;
 }
 
 /// The directions of edges on the plane of one face.
@@ -184,7 +174,7 @@ class Directions {
   };
 
   /// `all`: the half-edges of the body, by undirected edge.
-  Directions(const Body& body, const HalfEdges& all, const exact::Plane& plane)
+  Directions(const Body& body, std::span<const HalfEdge> all, const exact::Plane& plane)
       : body_(body), all_(all), plane_(plane) {}
 
   /// From its beginning to its end, or back.
@@ -220,7 +210,7 @@ class Directions {
   }
 
   const Body& body_;
-  const HalfEdges& all_;
+  const std::span<const HalfEdge> all_;
   const exact::Plane& plane_;
 };
 
@@ -341,12 +331,12 @@ void add_loops(std::span<const HalfEdge> face, std::vector<std::uint32_t>& next,
 }
 
 /// The merged faces, in the order of their smallest members.
-Boundary traced_faces(const Body& body, const HalfEdges& all, const FaceEdges& by_face,
+Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
                       std::span<const PointInFace> points, const std::vector<std::uint32_t>& rank) {
   Boundary r;
   DividingDesk desk;
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
-    const std::span<const HalfEdge> face = by_face.of(f);
+    const std::span<const HalfEdge> face = by_face[f];
     if (face.empty()) continue;
 
     const exact::Plane plane = body.plane(f);
@@ -393,7 +383,8 @@ Canonical in_order(const Boundary& traced) {
 Canonical canonical(const Body& body) {
   if (!body.is_packed) return canonical(packed(body));
 
-  HalfEdges edges = half_edges_of(body);
+  HalfEdges by_lower_vertex = half_edges_of(body);
+  const std::span<HalfEdge> edges = by_lower_vertex.items();
   grid::Partition merged = merged_faces(body, edges);
   const std::vector<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
   const std::vector<PointInFace> points = touching_points(body, edges, merged, needed);
@@ -402,7 +393,7 @@ Canonical canonical(const Body& body) {
   std::vector<std::uint32_t> rank(body.vertex_count(), none);
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
 
-  const FaceEdges by_face = face_edges(edges, merged, body.face_count());
+  const HalfEdges by_face = face_edges(edges, merged, body.face_count());
   Canonical form = in_order(traced_faces(body, edges, by_face, points, rank));
   form.full_at_infinity = body.full_at_infinity;
   form.vertices.reserve(order.size());

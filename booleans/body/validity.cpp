@@ -104,7 +104,8 @@ std::optional<Fault> face_fault(const Boundary& boundary, std::size_t f) {
 }
 
 /// Faults of the half-edges begin .. end - 1, which are those of one undirected edge.
-std::optional<Fault> edge_fault(const Boundary& boundary, const HalfEdges& edges, std::size_t begin, std::size_t end) {
+std::optional<Fault> edge_fault(const Boundary& boundary, std::span<const HalfEdge> edges, std::size_t begin,
+                                std::size_t end) {
   std::int64_t balance = 0;
   bool flat = true;
   for (std::size_t i = begin; i < end; ++i) {
@@ -123,8 +124,10 @@ std::optional<Fault> edge_fault(const Boundary& boundary, const HalfEdges& edges
 
 /// Of edges, and of vertices that have none.
 std::optional<Fault> edge_fault(const Boundary& boundary) {
-  const HalfEdges edges = half_edges(boundary.face_count(), boundary.vertices.size(), boundary.faces.corners.size(),
-                                     [&](std::uint32_t f, auto&& visit) { boundary.faces.for_edges(f, visit); });
+  const HalfEdges by_lower_vertex =
+      half_edges(boundary.face_count(), boundary.vertices.size(),
+                 [&](std::uint32_t f, auto&& visit) { boundary.faces.for_edges(f, visit); });
+  const std::span<const HalfEdge> edges = by_lower_vertex.items();
 
   std::optional<Fault> fault;
   std::vector<std::uint8_t> has_edge(boundary.vertices.size());

@@ -62,6 +62,12 @@ class Buckets {
   std::span<Item> items() { return {items_.get(), item_count()}; }
   std::uint32_t start(std::size_t bucket) const { return start_[bucket]; }
 
+  /// Sorts the items of each bucket.
+  template <class Less>
+  void sort_each(Less less) {
+    for (std::size_t k = 0; k < size(); ++k) std::sort((*this)[k].begin(), (*this)[k].end(), less);
+  }
+
  private:
   std::uint32_t item_count() const { return start_.empty() ? 0 : start_.back(); }
   Item* memory(std::size_t n) {
