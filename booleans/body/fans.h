@@ -3,12 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <vector>
 
+#include "grid/lists/buckets.h"
 #include "grid/lists/thresholds.h"
 
 namespace quoin::booleans {
@@ -40,34 +38,19 @@ inline bool is_one_fan(std::span<Spoke> star) {
   return false;
 }
 
-/// The spokes of the vertices v for which wanted(v) holds, by vertex. Triangles are three corners each.
-class Spokes {
- public:
-  template <class Wanted>
-  Spokes(std::span<const std::uint32_t> corners, std::size_t vertex_count, Wanted wanted)
-      : Spokes(corners, 0, vertex_count, wanted) {}
-  /// Of the vertices first .. last - 1 only.
-  template <class Wanted>
-  Spokes(std::span<const std::uint32_t> corners, std::size_t first, std::size_t last, Wanted wanted)
-      : first_(first), at_(last - first + 2) {
-    const auto is_in = [&](std::uint32_t v) { return std::size_t{v} - first < last - first && wanted(v); };
-    for (const std::uint32_t v : corners)
-      if (is_in(v)) ++at_[v - first + 2];
-    for (std::size_t v = 2; v < at_.size(); ++v) at_[v] += at_[v - 1];
-    spokes_ = std::make_unique_for_overwrite<Spoke[]>(at_.back());
+/// The spokes of the vertices first .. last - 1, from bucket 0 on; wanted(v) says which have theirs. Triangles are
+/// three corners each.
+template <class Wanted>
+grid::Buckets<Spoke> spokes(std::span<const std::uint32_t> corners, std::size_t first, std::size_t last,
+                            Wanted wanted) {
+  return grid::Buckets<Spoke>(last - first, [&](auto&& visit) {
     for (std::size_t c = 0; c < corners.size(); c += 3)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const std::uint32_t v = corners[c + k]; is_in(v))
-          spokes_[at_[v - first + 1]++] = {corners[c + (k + 1) % 3], corners[c + (k + 2) % 3]};
-  }
-  std::span<Spoke> at(std::uint32_t v) {
-    return {spokes_.get() + at_[v - first_], at_[v - first_ + 1] - at_[v - first_]};
-  }
-
- private:
-  std::size_t first_;
-  std::vector<std::uint32_t> at_;
-  std::unique_ptr<Spoke[]> spokes_;
-};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = corners[c + k];
+        if (std::size_t{v} - first < last - first && wanted(v))
+          visit(v - first, Spoke{corners[c + (k + 1) % 3], corners[c + (k + 2) % 3]});
+      }
+  });
+}
 
 }  // namespace quoin::booleans

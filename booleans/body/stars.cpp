@@ -116,10 +116,10 @@ void look_at_the_rest(const Body& mesh, std::vector<Star>& star_of) {
     if (star_of[v] == Star::other) rest.push_back(v);
   if (rest.empty()) return;
 
-  Spokes spokes(grid::corners_of(mesh.triangles), star_of.size(),
-                [&](std::uint32_t v) { return star_of[v] == Star::other; });
+  grid::Buckets<Spoke> spokes_of = spokes(grid::corners_of(mesh.triangles), 0, star_of.size(),
+                                          [&](std::uint32_t v) { return star_of[v] == Star::other; });
   for (const std::uint32_t v : rest) {
-    const std::span<Spoke> star = spokes.at(v);
+    const std::span<Spoke> star = spokes_of[v];
     if (!is_one_fan(star)) continue;
     const bool proved = is_fan_against(outward(mesh, v, star), mesh, v, star);
     star_of[v] = proved ? Star::embedded : Star::ring;

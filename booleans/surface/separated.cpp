@@ -23,9 +23,9 @@ std::vector<std::uint8_t> with_several_fans(const Triangulated& mesh) {
   std::vector<std::uint8_t> several(mesh.vertex_count());
   std::atomic<bool> any = false;
   grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
-    Spokes spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
+    grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
-      if (!is_one_fan(spokes.at(v))) several[v] = any = true;
+      if (!is_one_fan(spokes_of[v - begin])) several[v] = any = true;
   });
 
   if (!any) several.clear();
