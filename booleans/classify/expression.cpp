@@ -1,7 +1,5 @@
 #include "booleans/classify/expression.h"
 
-#include <numeric>
-
 namespace quoin::booleans {
 
 Expression Expression::itself() {
@@ -20,18 +18,14 @@ Expression Expression::flat(Rule rule, std::uint32_t n, std::uint32_t negated_fr
 Evaluator::Evaluator(const Expression& expression, std::uint32_t operand_count)
     : expression_(expression),
       winding_(operand_count),
-      leaf_start_(operand_count + 1),
       children_(expression.nodes.size()),
       true_children_(expression.nodes.size()),
       value_(expression.nodes.size()) {
   const auto& nodes = expression.nodes;
-  for (const auto& node : nodes)
-    if (node.rule == Rule::operand) ++leaf_start_[node.operand + 1];
-  std::partial_sum(leaf_start_.begin(), leaf_start_.end(), leaf_start_.begin());
-  leaves_.resize(leaf_start_.back());
-  std::vector<std::uint32_t> at(leaf_start_.begin(), leaf_start_.end() - 1);
-  for (std::uint32_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i].rule == Rule::operand) leaves_[at[nodes[i].operand]++] = i;
+  leaves_.assign(operand_count, [&](auto&& visit) {
+    for (std::uint32_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i].rule == Rule::operand) visit(nodes[i].operand, i);
+  });
   for (auto i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
     if (i > 0) ++children_[nodes[i].parent];
     value_[i] = evaluate(i);
@@ -72,8 +66,8 @@ void Evaluator::flip(std::uint32_t node) {
 
 void Evaluator::add(std::uint32_t operand, int by) {
   winding_[operand] += by;
-  for (std::uint32_t i = leaf_start_[operand]; i < leaf_start_[operand + 1]; ++i)
-    if (evaluate(leaves_[i]) != (value_[leaves_[i]] != 0)) flip(leaves_[i]);
+  for (const std::uint32_t leaf : leaves_[operand])
+    if (evaluate(leaf) != (value_[leaf] != 0)) flip(leaf);
 }
 
 }  // namespace quoin::booleans

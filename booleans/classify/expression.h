@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "grid/lists/buckets.h"
+
 namespace quoin::booleans {
 
 /// How a node combines its children.
@@ -51,7 +53,7 @@ class Evaluator {
 
   const Expression& expression_;
   std::vector<int> winding_;
-  std::vector<std::uint32_t> leaf_start_, leaves_;       // leaves by operand
+  grid::Buckets<> leaves_;                               // by operand
   std::vector<std::uint32_t> children_, true_children_;  // counts by node
   std::vector<std::uint8_t> value_;
 };
