@@ -1,5 +1,6 @@
 #include "booleans/pairs/box_tree.h"
 
+#include "grid/lists/buckets.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -49,10 +50,11 @@ void radix_sort(std::span<Keyed> a, std::span<Keyed> b) {
   constexpr int digit = key_bits / 3;
   constexpr std::uint32_t mask = (1u << digit) - 1;
   for (int shift = 0; shift < key_bits; shift += digit) {
-    std::array<std::uint32_t, mask + 2> start{};
-    for (const Keyed& x : a) ++start[((x.first >> shift) & mask) + 1];
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    for (const Keyed& x : a) b[start[(x.first >> shift) & mask]++] = x;
+    std::array<std::uint32_t, mask + 3> start{};
+    const auto for_items = [&](auto&& visit) {
+      for (const Keyed& x : a) visit((x.first >> shift) & mask, x);
+    };
+    grid::counting_sort(start, for_items, [&](std::size_t) { return b.data(); });
     std::swap(a, b);
   }
 }
@@ -60,27 +62,27 @@ void radix_sort(std::span<Keyed> a, std::span<Keyed> b) {
 constexpr std::size_t stretch = std::size_t{1} << 14;
 
 std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTree::Order by) {
-  Box all;
-  for (const BoxTree::Item& x : items) all.add(x.box);
-  const Places place(all);
   const bool grouped = by == BoxTree::Order::by_group;
-  std::vector<std::size_t> start(2);  // of each group, then its end
+  Box all;
+  std::size_t groups = 1;
   for (const BoxTree::Item& x : items) {
-    const std::size_t group = grouped ? x.group : 0;
-    if (start.size() < group + 2) start.resize(group + 2);
-    ++start[group + 1];
+    all.add(x.box);
+    if (grouped) groups = std::max<std::size_t>(groups, x.group + 1);
   }
-  for (std::size_t g = 1; g < start.size(); ++g) start[g] += start[g - 1];
-  std::vector<Keyed> given(items.size()), order(items.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t i = 0; i < items.size(); ++i) given[next[grouped ? items[i].group : 0]++].second = i;
-  grid::in_stretches(given.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) given[i].first = place(items[given[i].second].box);
+
+  grid::Buckets<Keyed> given(groups, [&](auto&& visit) {
+    for (std::uint32_t i = 0; i < items.size(); ++i) visit(grouped ? items[i].group : 0, Keyed{0, i});
   });
-  grid::in_tasks(start.size() - 1, items.size(), [&](std::size_t g) {
-    const std::size_t size = start[g + 1] - start[g];
-    radix_sort(std::span(given).subspan(start[g], size), std::span(order).subspan(start[g], size));
+  const Places place(all);
+  grid::in_stretches(items.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (Keyed& x : given.items().subspan(begin, end - begin)) x.first = place(items[x.second].box);
   });
+
+  std::vector<Keyed> order(items.size());
+  grid::in_tasks(groups, items.size(), [&](std::size_t g) {
+    radix_sort(given[g], std::span(order).subspan(given.start(g), given[g].size()));
+  });
+
   std::vector<BoxTree::Item> result(items.size());
   grid::in_stretches(order.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) result[i] = items[order[i].second];
