@@ -19,6 +19,7 @@ OutlineMaker::OutlineMaker(const Touched& touched, const Names& names, PlaneId p
   outline_.plane = plane;
   outline_.frame = Frame(names.planes[plane]);
   outline_.segments.clear();
+  outline_.change_start.clear();
   outline_.changes.clear();
   outline_.points.clear();
   outline_.splits.clear();
@@ -46,12 +47,20 @@ void OutlineMaker::unite_equal_segments() {
     return std::tie(s.a, s.b, s.face, s.change, s.line) < std::tie(t.a, t.b, t.face, t.change, t.line);
   });
 
+  auto& start = outline_.change_start;
+  auto& changes = outline_.changes;
+  start.reserve(segments.size() + 1);
+  changes.reserve(segments.size());
   std::uint32_t n = 0;
   for (const Segment& s : segments) {
-    if (n == 0 || segments[n - 1].a != s.a || segments[n - 1].b != s.b) segments[n++] = s;
-    if (s.face != none) outline_.changes.push_back({n - 1, s.face, s.change});
+    if (n == 0 || segments[n - 1].a != s.a || segments[n - 1].b != s.b) {
+      segments[n++] = s;
+      start.push_back(static_cast<std::uint32_t>(changes.size()));
+    }
+    if (s.face != none) changes.push_back({s.face, s.change});
   }
   segments.resize(n);
+  start.push_back(static_cast<std::uint32_t>(changes.size()));
 
   auto& points = outline_.points;
   std::sort(points.begin(), points.end());

@@ -17,7 +17,6 @@ struct Outline {
   };
   /// A face begins to cover, or ends, where a segment is crossed from right to left.
   struct Change {
-    std::uint32_t segment;
     TouchedId face;
     int by;
   };
@@ -27,8 +26,10 @@ struct Outline {
   };
   PlaneId plane;
   Frame frame;                    // of that plane
-  std::vector<Segment> segments;  // once splits are found: distinct {a, b}, their changes in `changes`
-  std::vector<Change> changes;    // by segment
+  std::vector<Segment> segments;  // once splits are found: distinct {a, b}
+  // Then those of segment i are changes[change_start[i]] .. changes[change_start[i + 1] - 1].
+  std::vector<std::uint32_t> change_start;
+  std::vector<Change> changes;
   std::vector<VertexId> points;
   std::vector<Split> splits;
   std::vector<exact::Point> new_points;  // where segments cross, NewVertex::own

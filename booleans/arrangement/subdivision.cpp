@@ -41,11 +41,6 @@ void Subdivider::make_elements(Outline& outline) {
     return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.segment < q.segment;
   });
 
-  // Where the changes of each segment begin.
-  starts_.assign(outline.segments.size() + 1, 0);
-  for (const Outline::Change& c : outline.changes) ++starts_[c.segment + 1];
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-
   // Equal pieces become one element with the changes of all.
   elements_.list.clear();
   elements_.direction.clear();
@@ -58,7 +53,7 @@ void Subdivider::make_elements(Outline& outline) {
       elements_.direction.push_back(outline.frame.direction(names_.planes[outline.plane], names_.planes[p.line]));
       elements_.change_start.push_back(static_cast<std::uint32_t>(elements_.changes.size()));
     }
-    for (std::uint32_t c = starts_[p.segment]; c < starts_[p.segment + 1]; ++c)
+    for (std::uint32_t c = outline.change_start[p.segment]; c < outline.change_start[p.segment + 1]; ++c)
       elements_.changes.push_back(outline.changes[c]);
   }
   elements_.change_start.push_back(static_cast<std::uint32_t>(elements_.changes.size()));
