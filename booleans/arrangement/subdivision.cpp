@@ -1,6 +1,5 @@
 #include "booleans/arrangement/subdivision.h"
 
-#include <numeric>
 #include <set>
 
 namespace quoin::booleans {
@@ -82,14 +81,11 @@ void Subdivider::order_vertices(const Outline& outline) {
 }
 
 void Subdivider::sort_around_vertices() {
-  auto& [first_out, out, clockwise] = rotation_;
+  auto& [out, clockwise] = rotation_;
   const auto& rank = order_.rank;
-  first_out.assign(order_.vertices.size() + 1, 0);
-  for (const std::uint32_t r : rank) ++first_out[r + 1];
-  std::partial_sum(first_out.begin(), first_out.end(), first_out.begin());
-  out.resize(rank.size());
-  next_.assign(first_out.begin(), first_out.end() - 1);
-  for (std::uint32_t h = 0; h < rank.size(); ++h) out[next_[rank[h]]++] = h;
+  out.assign(order_.vertices.size(), [&](auto&& visit) {
+    for (std::uint32_t h = 0; h < rank.size(); ++h) visit(rank[h], h);
+  });
 
   // Counter-clockwise from straight down: first the half-edges that run forward (to the right), then the others. Within
   // a half, which spans less than a straight angle, the later one ends on the left of the earlier one.
@@ -98,14 +94,14 @@ void Subdivider::sort_around_vertices() {
     return g != h && left_of(g, elements_.origin(h ^ 1)) > 0;
   };
   clockwise.resize(rank.size());
-  for (std::size_t v = 0; v + 1 < first_out.size(); ++v) {
-    const std::uint32_t begin = first_out[v], end = first_out[v + 1];
-    if (end - begin == 2) {
-      if (earlier(out[begin + 1], out[begin])) std::swap(out[begin], out[begin + 1]);
-    } else if (end - begin > 2) {
-      std::sort(out.begin() + begin, out.begin() + end, earlier);
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    const std::span<std::uint32_t> around = out[v];
+    if (around.size() == 2) {
+      if (earlier(around[1], around[0])) std::swap(around[0], around[1]);
+    } else if (around.size() > 2) {
+      std::sort(around.begin(), around.end(), earlier);
     }
-    for (std::uint32_t i = begin; i < end; ++i) clockwise[out[i]] = out[i > begin ? i - 1 : end - 1];
+    for (std::size_t i = 0; i < around.size(); ++i) clockwise[around[i]] = around[(i > 0 ? i : around.size()) - 1];
   }
 }
 
@@ -133,8 +129,8 @@ void Subdivider::find_components() {
     while (!stack_.empty()) {
       const std::uint32_t w = stack_.back();
       stack_.pop_back();
-      for (std::uint32_t i = rotation_.first_out[w]; i < rotation_.first_out[w + 1]; ++i) {
-        const std::uint32_t x = order_.rank[rotation_.out[i] ^ 1];
+      for (const std::uint32_t h : rotation_.out[w]) {
+        const std::uint32_t x = order_.rank[h ^ 1];
         if (of[x] != none) continue;
         of[x] = c;
         stack_.push_back(x);
@@ -167,12 +163,12 @@ struct Subdivider::Lower {
 /// vertex. It belongs to the facet above the element below that vertex, found by one sweep; every other loop bounds a
 /// facet of its own.
 void Subdivider::nest_components(const Outline& outline) {
-  const auto& [first_out, out, clockwise] = rotation_;
+  const auto& out = rotation_.out;
   const auto& leftmost = components_.leftmost;
   outward_.assign(leftmost.size(), none);
   for (std::size_t c = 0; c < leftmost.size(); ++c) {
-    const std::uint32_t v = leftmost[c];
-    if (first_out[v] != first_out[v + 1]) outward_[c] = loops_.of[out[first_out[v + 1] - 1]];
+    const auto around = out[leftmost[c]];
+    if (!around.empty()) outward_[c] = loops_.of[around.back()];
   }
 
   facets_.count = 1;
@@ -197,23 +193,18 @@ void Subdivider::nest_components(const Outline& outline) {
         if (outward_[c] != none) facets_.of_loop[outward_[c]] = facets_.of_component[c];
       }
     }
-    for (std::uint32_t i = first_out[v]; i < first_out[v + 1]; ++i)
-      if (out[i] & 1) status.erase(place[out[i] / 2]);
-    for (std::uint32_t i = first_out[v]; i < first_out[v + 1]; ++i)
-      if (!(out[i] & 1)) place[out[i] / 2] = status.insert(out[i] / 2).first;
+    for (const std::uint32_t h : out[v])
+      if (h & 1) status.erase(place[h / 2]);
+    for (const std::uint32_t h : out[v])
+      if (!(h & 1)) place[h / 2] = status.insert(h / 2).first;
   }
 }
 
 /// Walks from the unbounded facet over the elements and lists the faces that cover each facet.
 void Subdivider::cover_facets() {
-  // Half-edges by the facet on their left.
-  const std::uint32_t half_edges = elements_.half_edges();
-  starts_.assign(facets_.count + 1, 0);
-  sides_.resize(half_edges);
-  for (std::uint32_t h = 0; h < half_edges; ++h) ++starts_[facet_left_of(h) + 1];
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  next_.assign(starts_.begin(), starts_.end() - 1);
-  for (std::uint32_t h = 0; h < half_edges; ++h) sides_[next_[facet_left_of(h)]++] = h;
+  sides_.assign(facets_.count, [&](auto&& visit) {
+    for (std::uint32_t h = 0; h < elements_.half_edges(); ++h) visit(facet_left_of(h), h);
+  });
 
   auto& [list, of] = covers_;
   list.clear();
@@ -223,8 +214,8 @@ void Subdivider::cover_facets() {
   while (!stack_.empty()) {
     const std::uint32_t from = stack_.back();
     stack_.pop_back();
-    for (std::uint32_t s = starts_[from]; s < starts_[from + 1]; ++s) {
-      const std::uint32_t h = sides_[s], to = facet_left_of(h ^ 1);
+    for (const std::uint32_t h : sides_[from]) {
+      const std::uint32_t to = facet_left_of(h ^ 1);
       if (of[to][0] != none) continue;
       stack_.push_back(to);
 
@@ -274,7 +265,7 @@ void Subdivider::write(SheetLists& lists) {
 
   for (std::size_t c = 0; c < components_.leftmost.size(); ++c) {
     const std::uint32_t v = components_.leftmost[c];
-    if (rotation_.first_out[v] != rotation_.first_out[v + 1]) continue;
+    if (!rotation_.out[v].empty()) continue;
     const FacetId f = names_of_facets_[facets_.of_component[c]];
     if (f != none) lists.isolated.push_back({order_.vertices[v], f});
   }

@@ -4,6 +4,7 @@
 
 #include "booleans/arrangement/outline.h"
 #include "booleans/arrangement/sheets.h"
+#include "grid/lists/buckets.h"
 
 namespace quoin::booleans {
 
@@ -35,8 +36,7 @@ class Subdivider {
   };
   /// Half-edges around each vertex.
   struct Rotation {
-    std::vector<std::uint32_t> first_out;  // by rank: start in out
-    std::vector<std::uint32_t> out;        // by origin, counter-clockwise from "straight down"
+    grid::Buckets<> out;                   // by rank of the origin, counter-clockwise from "straight down"
     std::vector<std::uint32_t> clockwise;  // by half-edge
   };
   struct LoopIds {
@@ -101,7 +101,8 @@ class Subdivider {
   struct Lower;
   std::vector<Piece> pieces_;
   ById<VertexId, std::uint32_t> rank_of_;  // none between sheets
-  std::vector<std::uint32_t> starts_, next_, sides_, stack_, outward_;
+  grid::Buckets<> sides_;                  // half-edges by the facet on their left
+  std::vector<std::uint32_t> stack_, outward_;
   std::vector<FacetId> names_of_facets_;
 };
 
