@@ -40,18 +40,6 @@ class Adjacency {
     });
   }
 
-  /// visit(face, w, forward) for every edge {v, w} of every face at the known vertex v; forward: the face runs from v
-  /// to w.
-  template <class Visit>
-  void edges_at_vertex(std::uint32_t v, Visit&& visit) const {
-    for_triangles(v, [&](std::uint32_t t, std::size_t corner) {
-      const auto& c = body_.triangles[t];
-      visit(t, c[(corner + 1) % 3], true);
-      visit(t, c[(corner + 2) % 3], false);
-    });
-    for_polygon_edges(v, [&](const PolygonEdge& e) { visit(e.face, e.to, e.forward); });
-  }
-
  private:
   void index(std::span<const Chunk> where);
 
