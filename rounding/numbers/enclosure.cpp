@@ -127,7 +127,6 @@ Enclosure enclosed_root(const Rational& v, unsigned bits) {
 }
 
 Rational root_above(const Rational& v) { return enclosed_root(v, 64).high; }
-Rational root_below(const Rational& v) { return enclosed_root(v, 64).low; }
 
 Rational best_approximation(const std::function<Enclosure(unsigned)>& enclosed, const Integer& Q, Rational& error) {
   for (unsigned bits = 192;; bits *= 2) {

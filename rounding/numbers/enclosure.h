@@ -24,8 +24,6 @@ Enclosure enclosed_root(const Rational& v, unsigned bits);
 
 /// An upper bound of the square root, at most 2^-60 of it too large. Precondition: v >= 0.
 Rational root_above(const Rational& v);
-/// A lower bound of the square root, at most 2^-60 of it too small. Precondition: v >= 0.
-Rational root_below(const Rational& v);
 
 /// The best approximation (approximation.h) of an irrational number that `enclosed` encloses ever more narrowly as its
 /// argument, the bits, grows; `error` becomes an upper bound of the distance.

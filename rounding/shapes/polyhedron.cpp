@@ -98,16 +98,6 @@ Polyhedron carried(Polyhedron p, const AffineMap& map) {
   return p;
 }
 
-Rational sixfold_volume(const Polyhedron& p) {
-  Rational sum = 0;
-  for (std::size_t f = 0; f < p.face_count(); ++f) {
-    // A fan about the face's first corner, signed.
-    const Vector& apex = p.points[p.faces.corners_of(f).front()];
-    p.faces.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { sum += dot(apex, cross(p.points[u], p.points[v])); });
-  }
-  return sum;
-}
-
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<booleans::FaceTriangle> local;

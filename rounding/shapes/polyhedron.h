@@ -45,9 +45,6 @@ Polyhedron polyhedron_of(const booleans::Canonical& form);
 /// The image under a map. Precondition: its determinant is positive.
 Polyhedron carried(Polyhedron p, const AffineMap& map);
 
-/// Six times the enclosed volume.
-Rational sixfold_volume(const Polyhedron& p);
-
 /// Triangles of points, counter-clockwise from outside, that tile the faces. Nothing where a face's loops are seen not
 /// to bound regions (crossings may go unseen, and give unspecified triangles).
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p);

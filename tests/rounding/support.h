@@ -9,6 +9,7 @@
 
 #include "rounding/motions/quaternion.h"
 #include "rounding/planes/plane_rounding.h"
+#include "rounding/shapes/polyhedron.h"
 #include "tests/exact/support.h"
 
 namespace quoin::rounding::testing {
@@ -74,6 +75,17 @@ inline WidePlane random_plane(std::mt19937_64& random, unsigned magnitude) {
     }
     if (n != Vector{0, 0, 0}) return wide_plane(n, d);
   }
+}
+
+/// The enclosed volume: each face is a fan about its first corner, signed.
+inline Rational volume(const Polyhedron& p) {
+  Rational sixfold = 0;
+  for (std::size_t f = 0; f < p.face_count(); ++f) {
+    const Vector& apex = p.points[p.faces.corners_of(f).front()];
+    p.faces.for_edges(f,
+                      [&](std::uint32_t u, std::uint32_t v) { sixfold += dot(apex, cross(p.points[u], p.points[v])); });
+  }
+  return sixfold / 6;
 }
 
 /// A number of MPFR, of 600 bits. Every operation takes the direction in which it rounds.

@@ -41,7 +41,7 @@ TEST(ExactBodyTest, ExactMotions) {
       EXPECT_EQ(r.displacement, 0);
       EXPECT_TRUE(r.by_planes);
       EXPECT_EQ(all.exact_planes, all.planes);
-      EXPECT_EQ(booleans::volume(r.body), sixfold_volume(s.polyhedron) / 6);
+      EXPECT_EQ(booleans::volume(r.body), volume(s.polyhedron));
       const Canonical form = booleans::canonical(r.body);
       std::set<Vector> points;
       for (const exact::Point& v : form.vertices) points.insert(vertex(v));

@@ -58,7 +58,7 @@ TEST(ReconstructTest, ShapesThatAreNotConvex) {
                                        {{200, 100}, {400, 100}, {300, 150}},
                                        {{500, 100}, {600, 100}, {600, 200}, {500, 200}}}},
                                      {100, -50, 333}));
-  const Rational before = sixfold_volume(ring.polyhedron) / 6;
+  const Rational before = volume(ring.polyhedron);
   for (int i = 0; i < 10; ++i) {
     const Placement placement = placed(ring, random_motion(random));
     const Reconstructed r = made(placement);

@@ -11,7 +11,6 @@
 
 #include "booleans/body/measure.h"
 #include "rounding/reconstruction/reconstruct.h"
-#include "rounding/shapes/hull.h"
 #include "tests/rounding/shapes/solids.h"
 
 namespace quoin::rounding::testing {
@@ -39,7 +38,7 @@ TEST(PolyhedronTest, OfACanonicalFormAndBack) {
         ASSERT_EQ(cross(normal(p.planes[f]), n), (Vector{0, 0, 0}));
         ASSERT_GT(dot(normal(p.planes[f]), n), 0);
       }
-      EXPECT_EQ(sixfold_volume(p), 6 * booleans::volume(body) * lattice.step * lattice.step * lattice.step);
+      EXPECT_EQ(volume(p), booleans::volume(body) * lattice.step * lattice.step * lattice.step);
       // Back on the grid it is the same point set.
       AffineMap to_grid;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -54,13 +53,6 @@ TEST(PolyhedronTest, OfACanonicalFormAndBack) {
       EXPECT_TRUE(r.value().primitives[0].by_planes);
       EXPECT_TRUE(booleans::canonical(r.value().primitives[0].body) == form);
     }
-}
-
-TEST(PolyhedronTest, SixfoldVolume) {
-  EXPECT_EQ(sixfold_volume(Polyhedron{}), 0);
-  EXPECT_EQ(sixfold_volume(cube()), 6);
-  EXPECT_EQ(sixfold_volume(shifted(cube(), {Rational(1, 3), -7, 100})), 6);
-  EXPECT_EQ(sixfold_volume(made(convex_hull(std::vector<Vector>{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 5}}))), 30);
 }
 
 /// Triangles, none degenerate and all turned as their faces, that fill the area of the faces and are closed: a tiling.

@@ -23,7 +23,6 @@ using Polygons = std::vector<Region>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 inline Rational half() { return Rational(1, 2); }
-inline Rational volume(const Polyhedron& p) { return sixfold_volume(p) / 6; }
 inline std::size_t loop_count(const Polyhedron& p) { return p.faces.loop_start.size() - 1; }
 
 /// The first thing that is wrong with a boundary; nothing when it is closed, planar, oriented and its faces maximal.
@@ -69,7 +68,7 @@ inline std::string fault(const Polyhedron& p) {
     if (p.planes[other->second] == p.planes[f]) return "two neighbours on one plane";
   }
   if (std::find(used.begin(), used.end(), false) != used.end()) return "a point on no face";
-  if (sixfold_volume(p) <= 0) return "inside out";
+  if (volume(p) <= 0) return "inside out";
   return "";
 }
 
