@@ -2,6 +2,8 @@
 /// The stages of a Boolean one by one, for tests that look at a single one.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,6 +15,19 @@
 #include "tests/booleans/support.h"
 
 namespace quoin::booleans::testing {
+
+/// check(solids, random) for `count` cases of each family (case_count). Ends with the first fatal failure.
+template <class Check>
+void for_families(std::uint64_t salt, std::uint64_t count, Check&& check) {
+  for (const Family family : families)
+    for (std::uint64_t number = 0; number < case_count(count); ++number) {
+      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
+      Random random(salt, number);
+      Solids solids(random, family);
+      check(solids, random);
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+}
 
 /// The values of the stages up to the sheets, of bodies that must outlive it.
 struct Drawn {

@@ -16,20 +16,16 @@ std::string text_of(const Contacts& contacts, const Names& names) {
 
 /// Contacts are what they are, whether faces are searched edge by edge or through trees.
 TEST(LineTrace, TreesFindTheContactsThatAllEdgesFind) {
-  for (const Family family : families)
-    for (std::uint64_t number = 0; number < case_count(80); ++number) {
-      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
-      Random random(0x117E, number);
-      Solids solids(random, family);
-      const Body a = solids.next(), b = solids.next();
-      const std::vector<Body> bodies{odd(a, b), random.one_in(2) ? b : all(a, b)};
-      const auto contacts = [&](std::uint32_t large) {
-        const Setting setting(&grid::Thresholds::large_face, large);
-        const Drawn drawn(bodies);
-        return text_of(drawn.contacts, drawn.names);
-      };
-      ASSERT_EQ(contacts(0), contacts(1u << 30));
-    }
+  for_families(0x117E, 80, [](Solids& solids, Random& random) {
+    const Body a = solids.next(), b = solids.next();
+    const std::vector<Body> bodies{odd(a, b), random.one_in(2) ? b : all(a, b)};
+    const auto contacts = [&](std::uint32_t large) {
+      const Setting setting(&grid::Thresholds::large_face, large);
+      const Drawn drawn(bodies);
+      return text_of(drawn.contacts, drawn.names);
+    };
+    ASSERT_EQ(contacts(0), contacts(1u << 30));
+  });
 }
 
 }  // namespace

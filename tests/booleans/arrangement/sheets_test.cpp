@@ -54,16 +54,13 @@ void expect_loops_close(const Drawn& drawn) {
 }
 
 TEST(Sheets, FacetsTileTheirFaces) {
-  for (const Family family : families)
-    for (std::uint64_t number = 0; number < case_count(40); ++number) {
-      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
-      Random random(0x5EE7, number);
-      Solids solids(random, family);
-      const Body a = solids.next(), b = solids.next(), c = solids.next();
-      const Drawn drawn(std::vector<Body>{odd(a, b), c, b});
-      expect_areas_add_up(drawn);
-      expect_loops_close(drawn);
-    }
+  for_families(0x5EE7, 40, [](Solids& solids, Random&) {
+    const Body a = solids.next(), b = solids.next(), c = solids.next();
+    const std::vector<Body> bodies{odd(a, b), c, b};
+    const Drawn drawn(bodies);
+    expect_areas_add_up(drawn);
+    expect_loops_close(drawn);
+  });
 }
 
 // The corner of one cube in another: each face that takes part is cut into an L and a square.

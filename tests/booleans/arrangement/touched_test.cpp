@@ -28,29 +28,25 @@ TEST(Touched, UntouchedNeighboursAreListed) {
 
 // Faces are maximal: no two of one operand lie on one oriented plane and share an edge of exactly two faces.
 TEST(Touched, FacesAreMaximal) {
-  for (const Family family : families)
-    for (std::uint64_t number = 0; number < case_count(40); ++number) {
-      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
-      Random random(0x70C4, number);
-      Solids solids(random, family);
-      const std::vector<Body> bodies{solids.next(), solids.next()};
-      const Drawn drawn(bodies);
-      const Touched& touched = drawn.touched;
+  for_families(0x70C4, 40, [](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next()};
+    const Drawn drawn(bodies);
+    const Touched& touched = drawn.touched;
 
-      std::map<std::array<std::uint32_t, 3>, std::vector<TouchedId>> at;  // by operand and edge
-      for (const TouchedId t : Ids<TouchedId>(touched.faces.size()))
-        for (const BoundaryEdge& e : touched.edges_of(t))
-          at[{touched.faces[t].operand.value, std::min(e.from, e.to).value, std::max(e.from, e.to).value}].push_back(t);
-      std::set<std::array<std::uint32_t, 3>> with_untouched;
-      for (const UntouchedUse& u : touched.untouched)
-        with_untouched.insert({u.operand.value, std::min(u.from, u.to).value, std::max(u.from, u.to).value});
+    std::map<std::array<std::uint32_t, 3>, std::vector<TouchedId>> at;  // by operand and edge
+    for (const TouchedId t : Ids<TouchedId>(touched.faces.size()))
+      for (const BoundaryEdge& e : touched.edges_of(t))
+        at[{touched.faces[t].operand.value, std::min(e.from, e.to).value, std::max(e.from, e.to).value}].push_back(t);
+    std::set<std::array<std::uint32_t, 3>> with_untouched;
+    for (const UntouchedUse& u : touched.untouched)
+      with_untouched.insert({u.operand.value, std::min(u.from, u.to).value, std::max(u.from, u.to).value});
 
-      for (const auto& [edge, faces] : at) {
-        if (faces.size() != 2 || faces[0] == faces[1] || with_untouched.contains(edge)) continue;
-        const TouchedFace &f = touched.faces[faces[0]], &g = touched.faces[faces[1]];
-        EXPECT_FALSE(f.plane == g.plane && f.along == g.along);
-      }
+    for (const auto& [edge, faces] : at) {
+      if (faces.size() != 2 || faces[0] == faces[1] || with_untouched.contains(edge)) continue;
+      const TouchedFace &f = touched.faces[faces[0]], &g = touched.faces[faces[1]];
+      EXPECT_FALSE(f.plane == g.plane && f.along == g.along);
     }
+  });
 }
 
 // An edge at which all faces are folded onto one plane gets an axis-parallel line.

@@ -29,14 +29,10 @@ void expect_complete(const Arrangement& a) {
 }
 
 TEST(Uses, HoldEveryFacetAtEachOfItsElements) {
-  for (const Family family : families)
-    for (std::uint64_t number = 0; number < case_count(30); ++number) {
-      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
-      Random random(0x05E5, number);
-      Solids solids(random, family);
-      const std::vector<Body> bodies{solids.next(), solids.next(), solids.next()};
-      expect_complete(arranged(bodies));
-    }
+  for_families(0x05E5, 30, [](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next(), solids.next()};
+    expect_complete(arranged(bodies));
+  });
 }
 
 // Where a face of one cube runs through another, four facets meet at each of the six contact segments; at the edges of

@@ -18,26 +18,22 @@ Expression operand(std::uint32_t o) {
 
 // Selecting one operand keeps its own surface and nothing else, facet by facet, whatever the others do to it.
 TEST(Selection, OfOneOperandIsItsSurface) {
-  for (const Family family : families)
-    for (std::uint64_t number = 0; number < case_count(30); ++number) {
-      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
-      Random random(0x5E1E, number);
-      Solids solids(random, family);
-      const Body a = solids.next(), b = solids.next();
-      const std::vector<Body> bodies{odd(a, b), solids.next(), complement(b)};
-      const Arrangement arrangement = arranged(bodies);
-      const Cells cells = find_cells(arrangement);
-      for (std::uint32_t o = 0; o < bodies.size(); ++o) {
-        const Selection s = select(arrangement, cells, operand(o));
-        ASSERT_TRUE(s.is_consistent);
-        ASSERT_EQ(s.full_at_infinity, bodies[o].full_at_infinity);
-        for (const NodeId n : Ids<NodeId>(arrangement.node_count())) {
-          int jump = 0;
-          arrangement.for_jumps(n, [&](OperandId by, int change) { jump += by == OperandId(o) ? change : 0; });
-          ASSERT_EQ(int{s.kept[n]}, jump);
-        }
+  for_families(0x5E1E, 30, [](Solids& solids, Random&) {
+    const Body a = solids.next(), b = solids.next();
+    const std::vector<Body> bodies{odd(a, b), solids.next(), complement(b)};
+    const Arrangement arrangement = arranged(bodies);
+    const Cells cells = find_cells(arrangement);
+    for (std::uint32_t o = 0; o < bodies.size(); ++o) {
+      const Selection s = select(arrangement, cells, operand(o));
+      ASSERT_TRUE(s.is_consistent);
+      ASSERT_EQ(s.full_at_infinity, bodies[o].full_at_infinity);
+      for (const NodeId n : Ids<NodeId>(arrangement.node_count())) {
+        int jump = 0;
+        arrangement.for_jumps(n, [&](OperandId by, int change) { jump += by == OperandId(o) ? change : 0; });
+        ASSERT_EQ(int{s.kept[n]}, jump);
       }
     }
+  });
 }
 
 // Outside, in one cube, in the other, in both.
