@@ -13,12 +13,6 @@ bool contains(const Box& box, const std::array<double, 3>& p) {
 
 }  // namespace
 
-int LineTracer::compare(int axis, NewVertex u, NewVertex v) const {
-  const auto k = static_cast<std::size_t>(axis);
-  return exact::compare_rounded(approximation(u)[k], approximation(v)[k],
-                                [&] { return u == v ? 0 : exact::compare_along(axis, point(u), point(v)); });
-}
-
 void LineTracer::find_stops(const FaceLine& line, const Box& box, Trace& trace) {
   trace.stops.clear();
   trace.left = trace.right = 0;

@@ -46,7 +46,11 @@ class LineTracer {
   void find_open_segments(const FaceLine& line, NewVertex at, Trace& trace);
 
   /// Order along an axis of points on one line that runs in it: 0 exactly for equal points.
-  int compare(int axis, NewVertex u, NewVertex v) const;
+  int compare(int axis, NewVertex u, NewVertex v) const {
+    const auto k = static_cast<std::size_t>(axis);
+    return exact::compare_rounded(approximation(u)[k], approximation(v)[k],
+                                  [&] { return u == v ? 0 : exact::compare_along(axis, point(u), point(v)); });
+  }
 
   std::vector<exact::Point> points;  // NewVertex::own
 

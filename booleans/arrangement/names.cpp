@@ -111,12 +111,7 @@ VertexId VertexTable::id(const Body& body, std::uint32_t v) {
   return body.is_grid(v) ? id(body.grid_points[v]) : id(body.derived(v));
 }
 
-int VertexTable::side(VertexId v, const exact::Plane& p, const exact::PlaneApproximation& a) const {
-  const int filtered = exact::side_filter(a, approximations_[v]);
-  if (filtered != 2) {
-    ++exact::counters().filter;
-    return filtered;
-  }
+int VertexTable::exact_side(VertexId v, const exact::Plane& p) const {
   return is_grid(v) ? exact::side(p, grid_point(v)) : exact::side_exact(p, points_[derived_[v]]);
 }
 

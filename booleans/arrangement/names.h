@@ -70,7 +70,12 @@ class VertexTable {
   exact::Point point(VertexId v) const { return is_grid(v) ? exact::point(grid_point(v)) : points_[derived_[v]]; }
 
   /// The side of a vertex to a plane: +1 on its positive side, 0 on it, -1.
-  int side(VertexId v, const exact::Plane& p, const exact::PlaneApproximation& a) const;
+  int side(VertexId v, const exact::Plane& p, const exact::PlaneApproximation& a) const {
+    const int filtered = exact::side_filter(a, approximations_[v]);
+    if (filtered == 2) return exact_side(v, p);
+    ++exact::counters().filter;
+    return filtered;
+  }
   /// Order of the k-th coordinates.
   int compare_along(int k, VertexId u, VertexId v) const;
   /// Order by (x, y, z); 0 only for u = v.
@@ -80,6 +85,7 @@ class VertexTable {
   VertexId& slot(const std::array<double, 3>& key, const exact::Point* exact);
   void grow();
   VertexId insert(const std::array<double, 3>& key, const exact::Point* exact);
+  int exact_side(VertexId v, const exact::Plane& p) const;
 
   ById<VertexId, std::array<double, 3>> approximations_;
   ById<VertexId, std::uint32_t> derived_;  // index into points_, none for grid points

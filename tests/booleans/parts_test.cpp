@@ -48,7 +48,7 @@ TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Booleans, PartsOfFamily, ::testing::ValuesIn(families),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& p) { return name_of(p.param); });
 
 TEST(Parts, RepeatedLeavesCountOnceOrCancel) {
   const Body b = box({0, 0, 0}, {2, 2, 2});
