@@ -31,4 +31,27 @@ inline constexpr double orientation_tail = 4;    // docs/proofs/orientation_filt
 inline constexpr std::uint64_t quotient_below = 2;  // docs/proofs/quotient.g
 inline constexpr std::uint64_t quotient_above = 3;  // docs/proofs/quotient.g
 
+// Of filters in the rooms above.
+
+/// `Snapper`: unit roundoffs, of a coordinate and of the origin, both in steps; what is added, in steps.
+inline constexpr double snap_bound = 4;        // docs/proofs/snap_filter.g
+inline constexpr double snap_origin = 2;       // docs/proofs/snap_filter.g
+inline constexpr double snap_floor = 0x1p-60;  // docs/proofs/snap_filter.g
+
+/// `BlockSlabs`: how far a computed place along a line may be off, in steps times components of up to 2^30.
+inline constexpr double crossing_slack = 0x1p13;  // docs/proofs/crossing.g
+
+/// `area_sign` of m terms: area_bound (m + area_roundings) unit roundoffs, of the sum of the terms' magnitudes.
+inline constexpr double area_bound = 2;      // docs/proofs/area_filter.g
+inline constexpr double area_roundings = 5;  // docs/proofs/area_filter.g
+
+/// `effect` of rounding on a triangle: unit roundoffs, of the sum of the terms' magnitudes; what is added to that sum,
+/// of the product of two edges' longest components.
+inline constexpr double effect_bound = 16;       // docs/proofs/effect_filter.g
+inline constexpr double effect_floor = 0x1p-60;  // docs/proofs/effect_filter.g
+
+/// `MapFilter`: unit roundoffs, of the sum of the terms' magnitudes; what is added, of 1 and the factors' magnitudes.
+inline constexpr double map_bound = 8;          // docs/proofs/map_filter.g
+inline constexpr double map_floor = 0x1p-1000;  // docs/proofs/map_filter.g
+
 }  // namespace quoin::exact

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/filter_bounds.h"
 #include "exact/ladder.h"
 #include "exact/predicates.h"
 #include "grid/lists/stretches.h"
@@ -67,7 +68,7 @@ class Snapper {
       origin_[k] = exact::to_double(lattice.origin[k]);
       const double o = std::fabs(origin_[k]);
       guarded_ = guarded_ && (lattice.origin[k] == 0 || o > 0x1p-900) && o < 0x1p900;
-      slack_[k] = 2 * exact::unit_roundoff * o * inverse_ + 0x1p-60;
+      slack_[k] = exact::snap_origin * exact::unit_roundoff * o * inverse_ + exact::snap_floor;
     }
   }
 
@@ -77,11 +78,12 @@ class Snapper {
     if (guarded_) {
       // With u the unit roundoff, Y = (v - O) / s, o = O (1 + d0), 1 / s rounded (d2), and one rounding each in the
       // difference (d1) and the product (d3, or 2^-1075 of underflow):
-      //   y - Y = Y ((1 + d1)(1 + d2)(1 + d3) - 1) - (O d0 / s)(1 + d1)(1 + d2)(1 + d3),
-      // at most 3.02 u |y| + 1.02 u |O| / s + 2^-1000: `bound` with slack.
+      //   y - Y = y (P - 1) / P - d0 O / s with P = (1 + d1)(1 + d2)(1 + d3),
+      // at most 3.01 u |y| + u |O / s| + 2^-1074. `bound` is more than that by u |y|, and |f| <= |y|, so that the sum
+      // of the two has room for its rounding; 2^-60 covers the terms in u^2. Proved by docs/proofs/snap_filter.g.
       const double y = (v - origin_[k]) * inverse_;
       if (std::fabs(y) < 2 * world) {
-        const double bound = 4 * exact::unit_roundoff * std::fabs(y) + slack_[k];
+        const double bound = exact::snap_bound * exact::unit_roundoff * std::fabs(y) + slack_[k];
         const double m = nearest(y), f = y - m;
         if (std::fabs(f) + bound < 0.5) {  // holds for the exact sum when it holds for the rounded one
           distance = std::fabs(f) + bound;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "booleans/body/half_edges.h"
+#include "exact/filter_bounds.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
 
@@ -46,7 +47,10 @@ int area_sign(const Boundary& boundary, std::size_t f) {
   const std::size_t k = exact::longest_component(n), u = (k + 1) % 3, v = (k + 2) % 3;
   const int turned = n[k] < 0 ? -1 : 1;
 
-  // In doubles first: a term has an error of five roundings at most, the sum of m terms m more.
+  // In doubles first: a term has an error of four roundings at most (two coordinates, a product, the difference), and
+  // of m - 1 more in the sum, so with u the unit roundoff and S the sum of the terms' sizes the error is below
+  // 1.01 (m + 3) u S, and so is that of S. Coordinates are 0 or at least 2^-188: no underflow. Proved by
+  // docs/proofs/area_filter.g.
   double sum = 0, size = 0;
   std::size_t terms = 0;
   boundary.faces.for_edges(f, [&](std::uint32_t i, std::uint32_t j) {
@@ -56,7 +60,8 @@ int area_sign(const Boundary& boundary, std::size_t f) {
     size += std::fabs(x) + std::fabs(y);
     ++terms;
   });
-  const double bound = 2 * (static_cast<double>(terms) + 5) * exact::unit_roundoff * size;
+  const double roundings = static_cast<double>(terms) + exact::area_roundings;
+  const double bound = exact::area_bound * roundings * exact::unit_roundoff * size;
   if (std::fabs(sum) > bound) return sum > 0 ? turned : -turned;
 
   exact::Rational area = 0;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "exact/filter_bounds.h"
+
 namespace quoin::booleans {
 
 std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box) {
@@ -49,10 +51,11 @@ LanePairs BlockSlabs::apart(std::uint32_t x, std::uint32_t y) const {
   return ~left | (std::popcount(left) > grid::thresholds().crowded_slabs ? apart_along_line(x, y, left) : 0);
 }
 
-/// Coordinates along the line are below 2^61. A crossing is at s + t (r - s) with 0 <= t <= 1: t is off by 2^-51 at
-/// most, r - s and s by 2^9, the sum and the product by 2^10, so all by less than 2^13.
+/// Coordinates along the line are below 2^61. A crossing is at s + t (r - s) with 0 <= t <= 1: three roundings of t
+/// make 3 * 2^-53 of |r - s| < 2^62, less than 2^11; r - s is off by 2^9 at most, s by 2^7, the product rounds by 2^9,
+/// the sum and the one with the slack by 2^8 each. All is less than 2^13. Proved by docs/proofs/crossing.g.
 BlockSlabs::Interval BlockSlabs::within(std::uint32_t face, const Slab& slab, const Normal& line) const {
-  constexpr double slack = 1 << 13;
+  constexpr double slack = exact::crossing_slack;
   Interval r;
   if (!faces_[face].is_raw()) {
     const Reach all = reach(face, line);

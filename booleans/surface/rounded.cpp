@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/filter_bounds.h"
 #include "exact/predicates.h"
 #include "grid/lists/stretches.h"
 
@@ -42,8 +43,8 @@ Effect exact_effect(const std::array<Corner, 3>& c, const Normal& normal) {
 /// A term n (e f) of the dot product of the rounded triangle's normal with the plane's carries eight roundings at most:
 /// the coefficient, two edge components, two products, the difference, two sums. So with u = 2^-53 and S the sum of the
 /// terms' true sizes the error is below 8.01 u S, and S as computed is at least (1 - 8.01 u) S: 16 u S bounds it.
-/// Edges within 2^+-300 keep products from overflow; a product that underflows is wrong by 2^-1074 at most, below the
-/// bound's second term.
+/// Edges within 2^+-300 keep products from overflow; one of edge components that underflows is wrong by 2^-1075 at
+/// most, 2^-1013 times a coefficient, far below the bound's second term. Proved by docs/proofs/effect_filter.g.
 Effect effect(const std::array<Corner, 3>& c, const Normal& normal) {
   Corner e, f;
   double largest_e = 0, largest_f = 0;
@@ -63,7 +64,8 @@ Effect effect(const std::array<Corner, 3>& c, const Normal& normal) {
     dot += n * (x - y);
     size += std::fabs(n) * (std::fabs(x) + std::fabs(y));
   }
-  const double bound = 16 * exact::unit_roundoff * (size + 0x1p-60 * largest_e * largest_f);
+  const double bound =
+      exact::effect_bound * exact::unit_roundoff * (size + exact::effect_floor * largest_e * largest_f);
   if (dot > bound) return Effect::none;
   if (dot < -bound) return Effect::flipped;
   return exact_effect(c, normal);

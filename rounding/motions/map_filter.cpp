@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "exact/filter_bounds.h"
+
 namespace quoin::rounding {
 
 MapFilter::MapFilter(const AffineMap& map) {
@@ -18,9 +20,10 @@ MapFilter::MapFilter(const AffineMap& map) {
 }
 
 // Every term is a product of at most three factors (1 + d), |d| <= u = 2^-53 (two numbers rounded, and their product),
-// and passes through at most three sums: six factors in all. So the error is at most ((1 + u)^6 - 1) < 7 u times the
-// sum of the terms' sizes, and the computed sum is at most 7 u of itself too small: 2^-50 covers 7 u (1 + 8 u).
-// Where a number or product underflows its error is at most 2^-1074, times the other factor.
+// and passes through at most three sums: six factors in all. So the error is at most ((1 + u)^6 - 1) < 6.01 u times the
+// sum of the terms' sizes, and the computed sum is at most 6.01 u of itself too small: 8 u covers that and the bound's
+// own roundings. Where a number or product underflows its error is at most 2^-1075, times the other factor.
+// Proved by docs/proofs/map_filter.g.
 // An infinite or undefined value has an infinite or undefined error.
 MapFilter::Estimate MapFilter::operator()(std::size_t k, const std::array<double, 3>& p, bool in_steps) const {
   const Row& row = rows_[k];
@@ -33,7 +36,7 @@ MapFilter::Estimate MapFilter::operator()(std::size_t k, const std::array<double
   }
 
   if (in_steps && row.is_whole) return {value, 0};
-  return {value, 0x1p-50 * size + 0x1p-1000 * factors};
+  return {value, exact::map_bound * exact::unit_roundoff * size + exact::map_floor * factors};
 }
 
 }  // namespace quoin::rounding

@@ -59,7 +59,9 @@ const std::vector<Lattice>& lattices() {
       {Rational(1, 1000), {Rational(1, 3), -7, Rational(10001, 100)}},
       {Rational(1, 1 << 20), {Rational(1 << 25), 0, Rational(1, 1 << 20)}},
       {Rational(2, 7), {Rational(Integer("1000000000000000000001"), Integer("999999999999999999999999")), 0, 0}},
-      {Rational(5, 3), {1000000, 0, 0}}};
+      {Rational(5, 3), {1000000, 0, 0}},
+      {49, {0, 0, 0}},  // 49 times the rounded 1 / 49 is less than 1
+      {Rational(2, 7), {Rational(std::int64_t{1} << 45) + Rational(1, 3), -(std::int64_t{1} << 45), 0}}};
   return all;
 }
 

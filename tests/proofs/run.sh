@@ -92,6 +92,16 @@ self_check() {
   number_refused orientation_tail 2 orientation_filter.g
   number_refused quotient_below 1 quotient.g
   number_refused quotient_above 2 quotient.g
+  number_refused snap_bound 3 snap_filter.g
+  number_refused snap_origin 1 snap_filter.g
+  number_refused snap_floor 0x1p-90 snap_filter.g
+  number_refused crossing_slack 0x1p11 crossing.g
+  number_refused area_bound 1 area_filter.g
+  number_refused area_roundings 1 area_filter.g
+  number_refused effect_bound 8 effect_filter.g
+  number_refused effect_floor 0x1p-400 effect_filter.g
+  number_refused map_bound 6 map_filter.g
+  number_refused map_floor 0x1p-1074 map_filter.g
 
   line_refused 'inline constexpr double side_margin = 8;'
   line_refused 'inline constexpr double side_margin = 8;  // docs/proofs/side_filter.g'
