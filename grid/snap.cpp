@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "exact/filter_bounds.h"
 #include "exact/ladder.h"
@@ -25,11 +24,14 @@ constexpr double rounding_constant = 0x1.8p52;
 
 double nearest(double v) { return (v + rounding_constant) - rounding_constant; }
 
-/// An upper bound of sqrt(squared) steps. The factors cover the roundings of the squares, of the root and of the
-/// products; below 2^-1000 the squares may have underflowed, but then the length is below 2^-499.
-double length_bound(double squared, double step) {
+/// An upper bound of sqrt(squared) steps in model units; positive. With u = 2^-53 the first factor, 1 + 16 u, covers
+/// less than 3.6 u: half of a square's and two sums', the root's and the product's rounding. The other, 1 + 8 u, covers
+/// two products. Below 2^-1000 the squares may have underflowed, but then the length is below 2^-499; a product that
+/// small may have underflowed, too, and is rounded upward instead.
+double length_bound(double squared, const Rational& step) {
   const double length = squared < 0x1p-1000 ? 0x1p-499 : std::sqrt(squared) * (1 + 0x1p-49);
-  return std::max(length * step * (1 + 0x1p-50), std::numeric_limits<double>::denorm_min());
+  const double bound = length * exact::to_double(step) * (1 + 0x1p-50);
+  return bound < 0x1p-1000 ? exact::double_above(exact::to_rational(length) * step) : bound;
 }
 
 /// How far points moved.
@@ -87,7 +89,8 @@ class Snapper {
         const double m = nearest(y), f = y - m;
         if (std::fabs(f) + bound < 0.5) {  // holds for the exact sum when it holds for the rounded one
           distance = std::fabs(f) + bound;
-          if (look_closely && distance < 0x1p-20 && is_exact(v, k, static_cast<std::int32_t>(m))) distance = 0;
+          // No move makes |f| = |y - Y|.
+          if (look_closely && std::fabs(f) <= bound && is_exact(v, k, static_cast<std::int32_t>(m))) distance = 0;
           return static_cast<std::int32_t>(m);
         }
         if (bound < 0.25 && affine_) {
@@ -250,12 +253,12 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
   if (scaled) {
     const double step = std::ldexp(1.0, a->exponent);
     moves = snap_all(points, result.points, [&](auto in, auto out) { return snap_scaled(in, step, out); });
-    if (moves.moved) result.max_snap = length_bound(moves.worst, step);
+    if (moves.moved) result.max_snap = length_bound(moves.worst, lattice.step);
   } else {
     const Snapper snapper(lattice);
     moves = snap_all(points, result.points, [&](auto in, auto out) { return snap_any(in, snapper, out); });
     // One more factor for the step's own rounding.
-    if (moves.moved) result.max_snap = length_bound(moves.worst, exact::to_double(lattice.step)) * (1 + 0x1p-50);
+    if (moves.moved) result.max_snap = length_bound(moves.worst, lattice.step) * (1 + 0x1p-50);
   }
   if (!moves.fit) return refusal(points, lattice);
   return Result<Snapped>(std::move(result));

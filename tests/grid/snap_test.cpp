@@ -103,6 +103,23 @@ TEST(Snap, exact_input_has_no_move) {
   EXPECT_EQ(snap(std::vector<double>{-0.0, 0, 0}, {Rational(1, 3), {0, 0, 0}}).value().max_snap, 0);
 }
 
+// Far from 0 the filter's error is large, here 2^-12 steps and 2^-5: it alone cannot tell that nothing moved.
+TEST(Snap, exact_input_far_from_zero_has_no_move) {
+  const double far = 0x1p40;
+  const Rational origin = exact::to_rational(far);
+  const Lattice short_numbers{1, {origin, origin, origin}};
+  EXPECT_EQ(snap(std::vector<double>{far + 5, far, far - 7}, short_numbers).value().max_snap, 0);
+  EXPECT_GT(snap(std::vector<double>{far + 5, far, far - 7 + 0x1p-12}, short_numbers).value().max_snap, 0);
+  // Numbers too long for machine integers.
+  const Rational step = 1 + exact::to_rational(0x1p-54), start = origin - 5 * step;
+  const Lattice long_numbers{step, {start, start, start}};
+  EXPECT_EQ(snap(std::vector<double>{far, far, far}, long_numbers).value().max_snap, 0);
+  EXPECT_GT(snap(std::vector<double>{far, far + 0x1p-12, far}, long_numbers).value().max_snap, 0);
+
+  const auto fitting = fitting_lattice({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 1, 1e6 + 1});
+  EXPECT_EQ(snap(std::vector<double>{1e6, 1e6 + 1, 1e6, 1e6 + 1, 1e6, 1e6}, fitting.value()).value().max_snap, 0);
+}
+
 TEST(Snap, the_edge_of_the_world) {
   const double edge = exact::world;
   for (const double scale : {1.0, 0.125}) {
@@ -142,6 +159,10 @@ TEST(Snap, extreme_steps) {
   check({least, -3 * least, 0}, {exact::to_rational(least), {0, 0, 0}});
   check({0x1p1000, -0x1.8p999, 1}, {exact::to_rational(0x1p990), {0, 0, 0}});
   check({0x1p-300, 5, 0x1p-900}, {Rational(1, 3), {exact::to_rational(0x1p-950), 0, 0}});
+  // Moves of which a rounded length may be below the true one.
+  check({least, least, 0}, {exact::to_rational(0x1p-600), {0, 0, 0}});
+  check({least, least, 0}, {exact::to_rational(0x1p-1073), {0, 0, 0}});
+  check({2000 * least, 999 * least, least}, {exact::to_rational(0x1p-1060) / 3, {0, 0, 0}});
 }
 
 }  // namespace
