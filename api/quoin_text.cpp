@@ -177,6 +177,7 @@ Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
   if (!boundary) return boundary.error();
 
   booleans::Body body = booleans::body_of(boundary.value());
+  body.is_proved = trust == Trust::nothing;
   if (auto fault = booleans::fault(boundary.value())) return bad(fault->message, fault->where);
   if (trust == Trust::nothing)
     if (const auto fault = booleans::embedding_fault(body)) return bad("the solid is not valid: " + *fault, "faces");

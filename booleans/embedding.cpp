@@ -36,8 +36,8 @@ class SheetProof {
   /// A vertex where something was added or lost.
   std::optional<VertexId> disturbance() const {
     if (auto v = in_edges()) return v;
-    if (auto v = in_points()) return v;
-    return in_facets();
+    if (auto v = in_facets()) return v;
+    return in_points();
   }
 
  private:
@@ -53,7 +53,7 @@ class SheetProof {
     return difference(std::move(drawn), std::move(own));
   }
 
-  /// Touching vertices, each with the one face that it lies in.
+  /// Touching vertices, each with the one face that it lies in. Precondition: the facets are whole faces.
   std::optional<VertexId> in_points() const {
     std::vector<Pair> own, drawn;
     for (const TouchedId f : faces_)

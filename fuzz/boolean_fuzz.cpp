@@ -13,8 +13,8 @@
 #include "booleans/surface/shells.h"
 #include "fuzz/law.h"
 #include "fuzz/script.h"
-#include "grid/lists/thresholds.h"
 #include "tests/booleans/lattice_sets.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::fuzz {
 namespace {
@@ -138,17 +138,17 @@ void check_resolve(const Script& s) {
   require(canonical(resolved) == canonical(all), "one mesh of all operands resolves to their union");
 }
 
-/// make(), a body, with the ways of small inputs and with those of large ones: its canonical form.
+/// make(), a body, by any thresholds: its canonical form.
 template <class Make>
 Canonical form_by_any_way(Make make) {
-  grid::Thresholds& now = grid::settable_thresholds();
-  const grid::Thresholds before = std::exchange(now, grid::Thresholds::smallest());
-  const Canonical smallest = canonical(checked(make()));
-  now = grid::Thresholds::largest();
-  const Canonical largest = canonical(checked(make()));
-  now = before;
-  require(smallest == largest, "no threshold changes a result");
-  return smallest;
+  const auto made = [&](const grid::Thresholds& t) {
+    const grid::testing::WithThresholds thresholds(t);
+    return canonical(checked(make()));
+  };
+  const Canonical form = made(grid::Thresholds::smallest());
+  require(form == made(grid::Thresholds::largest()) && form == made(grid::Thresholds::patched()),
+          "no threshold changes a result");
+  return form;
 }
 
 /// Flat regions that cover their plane more than once.

@@ -115,7 +115,7 @@ struct Collected {
 
 /// Stretch by stretch; where triangles are nothing, those behind them move up.
 Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh) {
-  constexpr std::size_t length = std::size_t{1} << 15;
+  const std::size_t length = stretch(std::size_t{1} << 15);
   mesh.triangles.resize(f.count());
   std::vector<Collected> parts(f.count() / length + 1);
   in_stretches(f.count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {

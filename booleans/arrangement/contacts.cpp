@@ -144,7 +144,7 @@ std::vector<TouchedPair> touched_pairs(const Touched& touched, const FacePairs& 
 
 Contacts find_contacts(const Touched& touched, const std::vector<TouchedPair>& pairs, Names& names) {
   // Fixed stretches, results in slots, points named in their order: the same ids for any number of threads.
-  constexpr std::size_t length = 512;
+  const std::size_t length = grid::stretch(512);
   std::vector<Worker> workers((pairs.size() + length - 1) / length, Worker(touched, names));
   grid::in_stretches(pairs.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) workers[s].meet(pairs[i]);

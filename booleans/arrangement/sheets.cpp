@@ -99,7 +99,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
   ById<SheetId, Sheet> sheets(n);
 
   // Sheets whose segments cross in new points wait until these have names.
-  constexpr std::size_t length = 64;
+  const std::size_t length = grid::stretch(64);
   std::vector<Batch> batches((n + length - 1) / length);
   grid::in_stretches(n, length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Desk& desk = desks.local();

@@ -124,7 +124,7 @@ class Merger {
 }  // namespace
 
 Regions merged_regions(const Arrangement& a, const Selection& selection) {
-  constexpr std::size_t length = 256;
+  const std::size_t length = grid::stretch(256);
   std::vector<Regions> parts(a.sheets.size() / length + 1);
   grid::in_stretches(a.sheets.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     Merger merger(a, selection);

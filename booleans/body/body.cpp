@@ -66,7 +66,7 @@ template <class BoxOf>
 void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
   if (begin >= end) return;
 
-  constexpr std::size_t length = std::size_t{1} << 15;
+  const std::size_t length = grid::stretch(std::size_t{1} << 15);
   std::vector<std::vector<Chunk>> parts((end - begin - 1) / length);  // behind the first
   grid::in_stretches(end - begin, length, [&](std::size_t s, std::size_t from, std::size_t to) {
     add_chunks_of_stretch(begin + static_cast<std::uint32_t>(from), begin + static_cast<std::uint32_t>(to),

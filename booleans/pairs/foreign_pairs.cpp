@@ -35,7 +35,8 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
 template <class VisitPart>
 std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
                                       VisitPart visit_part) {
-  constexpr std::size_t length = 256, most_samples = 128;
+  constexpr std::size_t most_samples = 128;
+  const std::size_t length = grid::stretch(256);
   if (count < grid::thresholds().few_boxes) {  // not worth it
     std::vector<BoxTree::Item> items;
     items.reserve(count);

@@ -34,10 +34,11 @@ class PairSearch {
     std::uint32_t x, y;
     LanePairs lanes;
   };
-  static constexpr std::size_t most = std::size_t{1} << 12, chunk = 128;
+  static constexpr std::size_t most = std::size_t{1} << 12;
+  const std::size_t chunk = grid::stretch(128);
 
   template <class Visit>
-  static void in_parallel(std::size_t count, Visit visit) {
+  void in_parallel(std::size_t count, Visit visit) const {
     grid::in_stretches(count, chunk, [&](std::size_t c, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) visit(c, i);
     });

@@ -13,6 +13,9 @@
 
 namespace quoin::grid {
 
+/// The length of stretches whose results are put together: `length`, less only where tests ask for it.
+inline std::size_t stretch(std::size_t length) { return std::min(length, thresholds().stretch); }
+
 /// visit(stretch, begin, end) for 0 .. count - 1 in stretches of a fixed length, side by side: the stretches, and with
 /// them what is kept by stretch, are the same for any number of threads.
 template <class Visit>

@@ -2,8 +2,8 @@
 /// Where one way of computing gives way to another.
 ///
 /// No threshold changes a result: two ways differ in time only. In checked builds (QUOIN_CHECKED) the environment may
-/// set them all, QUOIN_THRESHOLDS=smallest or =largest, so that small tests see the ways of large inputs too, and tests
-/// may set single ones.
+/// set them all, QUOIN_THRESHOLDS=smallest, =largest or =patched, so that small tests see the ways of large inputs too,
+/// and tests may set single ones.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,8 @@ namespace quoin::grid {
 struct Thresholds {
   /// Less work than this stays in the calling thread (elements).
   std::size_t small_work = 4096;
+  /// Stretches of parallel work, whose results are put together, have at most so many elements.
+  std::size_t stretch = std::size_t{1} << 15;
   /// Faces a chunk has at most.
   std::uint32_t chunk = 32;
   /// More operands than this are not compared one by one.
@@ -47,10 +49,16 @@ struct Thresholds {
   /// Fans whose squared size is more than this times the number of all triangles are compared as a whole.
   std::size_t large_fan = 4;
 
-  static constexpr Thresholds smallest() { return {1, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0}; }
+  static constexpr Thresholds smallest() { return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0}; }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
-    return {all, all, all, all, 64, 64, all, all, all, 24, all, all, all, all, all, all};
+    return {all, all, all, all, all, 64, 64, all, all, all, 24, all, all, all, all, all, all};
+  }
+  /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
+  static constexpr Thresholds patched() {
+    Thresholds t = smallest();
+    t.few_operands = largest().few_operands;
+    return t;
   }
 };
 
@@ -61,7 +69,10 @@ inline Thresholds& settable_thresholds() {
   static Thresholds value = [] {
     const char* text = std::getenv("QUOIN_THRESHOLDS");
     const std::string_view name = text != nullptr ? text : "";
-    return name == "smallest" ? Thresholds::smallest() : name == "largest" ? Thresholds::largest() : Thresholds{};
+    return name == "smallest"  ? Thresholds::smallest()
+           : name == "largest" ? Thresholds::largest()
+           : name == "patched" ? Thresholds::patched()
+                               : Thresholds{};
   }();
   return value;
 }

@@ -13,8 +13,11 @@
 #include "booleans/pairs/foreign_pairs.h"
 #include "booleans/stages.h"
 #include "tests/booleans/support.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::booleans::testing {
+
+using grid::testing::WithThresholds;
 
 /// check(solids, random) for `count` cases of each family (case_count). Ends with the first fatal failure.
 template <class Check>
@@ -65,21 +68,5 @@ inline std::vector<std::string> sorted_lines(const std::string& text) {
   std::sort(lines.begin(), lines.end());
   return lines;
 }
-
-/// Sets a threshold for as long as it lives. Checked builds only.
-template <class T>
-class Setting {
- public:
-  Setting(T grid::Thresholds::*member, T value) : member_(member), old_(grid::settable_thresholds().*member) {
-    grid::settable_thresholds().*member = value;
-  }
-  ~Setting() { grid::settable_thresholds().*member_ = old_; }
-  Setting(const Setting&) = delete;
-  Setting& operator=(const Setting&) = delete;
-
- private:
-  T grid::Thresholds::*member_;
-  T old_;
-};
 
 }  // namespace quoin::booleans::testing

@@ -49,7 +49,7 @@ TEST(Contacts, FacesOnOnePlane) {
 
 // A face of many edges is asked through a tree; a hole of it may hold the other face, and then nothing meets.
 TEST(Contacts, BarThroughTheHoleOfAFaceOfManyEdges) {
-  const Setting setting(&grid::Thresholds::large_face, std::uint32_t{4});
+  const WithThresholds thresholds(grid::testing::with(&grid::Thresholds::large_face, std::uint32_t{4}));
   const Body plate = minus(box({0, 0, 0}, {10, 10, 1}), box({2, 2, -1}, {8, 8, 2}));
   EXPECT_TRUE(contacts_of({plate, box({4, 4, -3}, {5, 5, 3})}).empty());
   EXPECT_FALSE(contacts_of({plate, box({1, 4, -3}, {3, 5, 3})}).empty());

@@ -20,7 +20,7 @@ TEST(LineTrace, TreesFindTheContactsThatAllEdgesFind) {
     const Body a = solids.next(), b = solids.next();
     const std::vector<Body> bodies{odd(a, b), random.one_in(2) ? b : all(a, b)};
     const auto contacts = [&](std::uint32_t large) {
-      const Setting setting(&grid::Thresholds::large_face, large);
+      const WithThresholds thresholds(grid::testing::with(&grid::Thresholds::large_face, large));
       const Drawn drawn(bodies);
       return text_of(drawn.contacts, drawn.names);
     };

@@ -65,7 +65,6 @@ TEST(Assemble, PatchedResultsAreThoseOfOneArrangement) {
     EXPECT_EQ(volume(minus(results.back(), operands[1])) + volume(all(results.back(), operands[1])),
               volume(results.back()));
   }
-  // By other thresholds nothing is a host, or no chunk is far from all others.
   if (usual_thresholds()) {
     EXPECT_GT(patched, 10 * case_count(5));
   }

@@ -7,26 +7,18 @@
 
 #include "booleans/pairs/foreign_pairs.h"
 #include "booleans/pairs/triangle_pair.h"
-#include "grid/lists/thresholds.h"
 #include "tests/booleans/support.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::booleans::testing {
 namespace {
 
-/// While it lives every pair of blocks is compared by slabs and along their line, where builds let a test say so.
-class SlabsForAll {
- public:
-#ifdef QUOIN_CHECKED
-  SlabsForAll() {
-    grid::settable_thresholds().crowded_blocks = 0;
-    grid::settable_thresholds().crowded_slabs = 0;
-  }
-  ~SlabsForAll() { grid::settable_thresholds() = before_; }
-
- private:
-  const grid::Thresholds before_ = grid::thresholds();
-#endif
-};
+/// Every pair of blocks is compared by slabs and along their line.
+grid::Thresholds slabs_for_all() {
+  grid::Thresholds t = grid::thresholds();
+  t.crowded_blocks = t.crowded_slabs = 0;
+  return t;
+}
 
 /// Two planes with the line of direction `line` in common; their normals have components 0 and +-1 only, so a slab
 /// around triangles in one of them has no thickness.
@@ -93,7 +85,7 @@ struct Blocks {
 // A crossing's place is computed with rounding, so strips that touch in one point may seem a little apart. They never
 // are told apart, and those one step further always are.
 TEST(BlockSlabs, StripsThatTouchAtTheirTipsAreNotApart) {
-  [[maybe_unused]] const SlabsForAll slabs_for_all;
+  const grid::testing::WithThresholds thresholds(slabs_for_all());
   for (std::uint64_t number = 0; number < case_count(100); ++number) {
     SCOPED_TRACE(case_name(number));
     Random random(0x51AB5, number);
@@ -119,7 +111,7 @@ TEST(BlockSlabs, StripsThatTouchAtTheirTipsAreNotApart) {
 }
 
 TEST(BlockSlabs, NoPairOfStripsThatTouchIsLost) {
-  [[maybe_unused]] const SlabsForAll slabs_for_all;
+  const grid::testing::WithThresholds thresholds(slabs_for_all());
   for (std::uint64_t number = 0; number < case_count(100); ++number) {
     SCOPED_TRACE(case_name(number));
     Random random(0x51AB6, number);
