@@ -102,6 +102,7 @@ TEST(Embedding, NamedCases) {
   EXPECT_TRUE(with(box({1, 1, 1}, {2, 2, 2}))) << "winding number 2";
   EXPECT_FALSE(with(complement(box({1, 1, 1}, {2, 2, 2})))) << "cavity";
   EXPECT_TRUE(with(complement(box({9, 1, 1}, {10, 2, 2})))) << "winding number -1";
+  EXPECT_TRUE(with(complement(*tetrahedron({{{9, 1, 1}, {10, 1, 1}, {9, 2, 1}, {9, 1, 2}}})))) << "the same, raw";
   EXPECT_TRUE(with(*tetrahedron({{{8, 4, 4}, {9, 4, 4}, {9, 5, 4}, {9, 4, 5}}}))) << "vertex in a face";
   EXPECT_TRUE(with(*tetrahedron({{{8, 8, 4}, {9, 8, 4}, {9, 9, 4}, {9, 8, 5}}}))) << "vertex in an edge";
   EXPECT_TRUE(with(half(box({-4, -4, -4}, {4, 4, 4})))) << "derived points";

@@ -63,6 +63,25 @@ TEST(Parts, RepeatedLeavesCountOnceOrCancel) {
     }
 }
 
+// A group of complements of an even number is none, of an odd number it is one.
+TEST(Parts, ComplementsCountByParity) {
+  std::vector<Body> boxes;
+  for (std::int64_t i = 0; i < 8; ++i) boxes.push_back(box({i, 0, 0}, {i + 4, 4, 4}));
+  for (const Rule rule : {Rule::any, Rule::all, Rule::odd})
+    for (const std::uint32_t count : {7u, 8u}) {
+      std::vector<const Body*> pointers;
+      for (std::uint32_t i = 0; i < count; ++i) pointers.push_back(&boxes[i]);
+      std::size_t combined = 0;
+      booleans::Run run;
+      run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+      const Expression e = Expression::flat(rule, count, 0);
+      EXPECT_TRUE(same(sound(evaluate_in_parts(pointers, e, run)), sound(evaluate(pointers, e)))) << count;
+      if (usual_thresholds()) {
+        EXPECT_GT(combined, 0u);
+      }
+    }
+}
+
 TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   std::vector<Body> boxes;
   for (std::int64_t i = 0; i < 100; ++i) boxes.push_back(box({3 * i, 0, 0}, {3 * i + 2, 2, 2}));

@@ -92,6 +92,30 @@ TEST(Canonical, AFlatFanIsOneFace) {
   EXPECT_EQ(edge_count(form), 15u);
 }
 
+// Two holes that touch in the least corner of both: their loop passes it twice, and begins with its smaller half-edge
+// there.
+TEST(Canonical, ALoopThatPassesItsLeastVertexTwice) {
+  const auto hole = [](std::int64_t low, std::int64_t high) {
+    return *prism({0, 0, 0}, {3, low, 0}, {3, high, 0}, {0, 0, 1});
+  };
+  const Body plate = minus(minus(box({-2, -4, 0}, {6, 4, 1}), hole(1, 2)), hole(-2, -1));
+  const Canonical form = canonical(plate);
+  std::size_t pinched = 0;
+  for (std::size_t f = 0; f < form.face_count(); ++f) {
+    if (form.planes[f].n[2] == 0) continue;
+    ASSERT_EQ(form.faces.loop_count(f), 2u);
+    const auto loop = form.faces.loop(form.faces.face_start[f] + 1);
+    ASSERT_EQ(loop.size(), 6u);
+    EXPECT_EQ(loop[0], loop[3]);
+    EXPECT_LT(loop[1], loop[4]);
+    ++pinched;
+  }
+  EXPECT_EQ(pinched, 2u);
+
+  Random random(0xCA2, 0);
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(canonical(shuffled(plate, random)) == form);
+}
+
 // Two square holes that touch in a corner are one loop: going round it one stays on the boundary of the face.
 TEST(Canonical, HolesThatTouchAreOneLoop) {
   const Body plate = minus(minus(box({0, 0, 0}, {6, 6, 1}), box({1, 1, 0}, {3, 3, 1})), box({3, 3, 0}, {5, 5, 1}));

@@ -74,6 +74,17 @@ TEST(Locate, InResults) {
   }
 }
 
+// The top at 1 + 2^-60 is at 1 by doubles: points below it are beyond the boxes of the sides, and on it beyond its own.
+TEST(Locate, BeyondTheRoundedBox) {
+  const Rational hair(1, exact::Integer(exact::Integer(1) << 60));
+  const exact::Plane top{{0, 0, std::int64_t{1} << 60}, -(exact::int128(1) << 60) - 1};
+  const Body slab = half_space_body(top, {{0, 0, 0}}, {{4, 4, 4}});
+  EXPECT_EQ(bounds(slab)->high[2], 1);
+  EXPECT_EQ(locate(slab, {Rational(2), Rational(2), Rational(1 + hair / 2)}), 1);
+  EXPECT_EQ(locate(slab, {Rational(2), Rational(2), Rational(1 + hair)}), 0);
+  EXPECT_EQ(locate(slab, {Rational(2), Rational(2), Rational(1 + 2 * hair)}), -1);
+}
+
 TEST(Locate, Bounds) {
   EXPECT_FALSE(bounds(Body{}));
   const auto box_of = bounds(half_space_body({{0, 0, 2}, -3}, {{0, 0, 0}}, {{4, 4, 4}}));

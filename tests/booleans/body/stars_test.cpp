@@ -106,6 +106,29 @@ TEST(Stars, AFanThatWindsTwiceIsNotEmbedded) {
   EXPECT_FALSE(meet_properly(mesh, 0));
 }
 
+// A corner of a regular tetrahedron, seen along no axis as a fan. One of its three faces is cut into ten triangles:
+// they count as much as the other two, each, or the direction to look from would be far off.
+TEST(Stars, ItDoesNotMatterIntoHowManyTrianglesAFaceIsCut) {
+  Body mesh;
+  mesh.grid_points = {{{60, 60, 60}}, {{-60, -60, 60}}};
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh.triangles.push_back({a, b, c}); };
+  constexpr std::uint32_t pieces = 10;
+  for (std::uint32_t i = 0; i <= pieces; ++i) {
+    const auto at = 120 * static_cast<std::int32_t>(i) / static_cast<std::int32_t>(pieces);
+    mesh.grid_points.push_back({{60 - at, at - 60, -60}});
+  }
+  for (std::uint32_t i = 2; i < 2 + pieces; ++i) {
+    add(0, i, i + 1);
+    add(1, i + 1, i);
+  }
+  add(0, 2 + pieces, 1);
+  add(0, 1, 2);
+  EXPECT_EQ(fault(mesh).value_or(""), "");
+  EXPECT_EQ(volume(mesh), 8 * 60 * 60 * 60 / 3);
+  EXPECT_TRUE(meet_properly(mesh, 0));
+  EXPECT_EQ(stars(mesh)[0], Star::embedded);
+}
+
 TEST(Stars, CornersOfBoxesAreProved) {
   const Body cube = box({0, 0, 0}, {8, 8, 8});
   for (const Star s : stars(cube)) EXPECT_EQ(s, Star::embedded);

@@ -22,6 +22,15 @@ TEST(Validity, CanonicalFormsHaveNoFault) {
   }
 }
 
+// A wedge that stands on a face with its edge: the face has that edge in both directions.
+TEST(Validity, ASlitIsNoFault) {
+  const Body wedge = *prism({3, 4, 2}, {3, 5, 4}, {3, 3, 4}, {2, 0, 0});
+  const Canonical form = canonical(any(box({0, 0, 0}, {8, 8, 2}), wedge));
+  EXPECT_EQ(form.faces.loop_count(), form.face_count() + 1);
+  const auto found = fault(form);
+  EXPECT_FALSE(found) << found->message << ", " << found->where;
+}
+
 /// A boundary with a few of its corners, loops or planes changed.
 Boundary changed(const Canonical& form, Random& random) {
   Boundary r = form;

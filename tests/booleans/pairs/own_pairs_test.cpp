@@ -40,6 +40,14 @@ bool meets_improperly(const Body& mesh, std::uint32_t s, std::uint32_t t) {
   }
 }
 
+std::set<FacePair> improper_by_pairs(const Body& mesh) {
+  std::set<FacePair> pairs;
+  for (std::uint32_t s = 0; s < mesh.triangles.size(); ++s)
+    for (std::uint32_t t = s + 1; t < mesh.triangles.size(); ++t)
+      if (meets_improperly(mesh, s, t)) pairs.insert({s, t});
+  return pairs;
+}
+
 /// Points around a centre, counter-clockwise, each a corner of their hull or nearly so.
 std::vector<std::array<std::int64_t, 2>> ring(Random& random, std::int64_t size) {
   std::vector<std::array<std::int64_t, 2>> r;
@@ -112,11 +120,7 @@ TEST(ImproperPairs, AreThoseThatMeetImproperly) {
     const auto mesh = with_fans(random);
     if (!mesh) continue;
     ++meshes;
-    std::set<FacePair> expected;
-    for (std::uint32_t s = 0; s < mesh->triangles.size(); ++s)
-      for (std::uint32_t t = s + 1; t < mesh->triangles.size(); ++t)
-        if (meets_improperly(*mesh, s, t)) expected.insert({s, t});
-
+    const std::set<FacePair> expected = improper_by_pairs(*mesh);
     const auto star_of = stars(*mesh);
     const auto found = improper_pairs(*mesh, star_of);
     EXPECT_EQ(std::set<FacePair>(found.begin(), found.end()), expected);
@@ -131,6 +135,43 @@ TEST(ImproperPairs, AreThoseThatMeetImproperly) {
   EXPECT_GT(improper, case_count(400));
   if (usual_thresholds()) {
     EXPECT_GT(fans_proved, case_count(400) / 10);
+  }
+}
+
+// The edge that faces the common corner, of the first or of the second one, may meet the other triangle.
+TEST(ImproperPairs, TrianglesOfOneCorner) {
+  const auto pairs = [](std::int32_t reach) {
+    Body mesh;
+    mesh.grid_points = {{{0, 0, 0}}, {{10, -10, 0}}, {{10, 10, 0}}, {{reach, 0, -3}}, {{reach, 0, 3}}};
+    mesh.triangles.push_back({0, 1, 2});
+    mesh.triangles.push_back({0, 3, 4});
+    return improper_pairs(mesh, std::vector<Star>(5, Star::other)).size();
+  };
+  EXPECT_EQ(pairs(4), 1u);
+  EXPECT_EQ(pairs(20), 1u);
+  EXPECT_EQ(pairs(-4), 0u);
+}
+
+// What pierces a cone above its base is on one side of the base, and so is what passes by.
+TEST(ImproperPairs, AConeThatIsPiercedAboveItsBase) {
+  constexpr std::uint32_t n = 100;
+  std::vector<Vector> points;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n;
+    points.push_back({std::llround(1e4 * std::cos(turn)), std::llround(1e4 * std::sin(turn)), 0});
+    triangles.push_back({i, (i + 1) % n, n});
+    if (i > 0 && i + 1 < n) triangles.push_back({0, i + 1, i});
+  }
+  points.push_back({0, 0, 10000});
+  const Body cone = *mesh(points, triangles);
+  for (const std::int64_t from : {-100, 9000}) {
+    const auto needle = tetrahedron({{{from, 50, 2000}, {20000, 50, 2000}, {20000, 350, 2000}, {20000, 50, 2300}}});
+    const std::vector<Body> parts{cone, *needle};
+    const Body both = merged(parts);
+    const auto found = improper_pairs(both, stars(both));
+    EXPECT_EQ(std::set<FacePair>(found.begin(), found.end()), improper_by_pairs(both));
+    EXPECT_EQ(found.empty(), from > 8000);
   }
 }
 

@@ -184,14 +184,22 @@ TEST(Separated, VoidsThatShareAnEdge) {
   EXPECT_EQ(ours.genus, 0);
   EXPECT_EQ(split_edges, 1u);
 
-  // The edge of one step has no grid point inside, one of six steps has.
-  const auto added = separated(body, triangulated(body)).added;
-  ASSERT_EQ(added.size(), 2u);
-  EXPECT_EQ(added[0], added[1]);
-  EXPECT_TRUE(added[0] == (RationalPoint{2, 2, Rational(5, 4)}) || added[0] == (RationalPoint{2, 2, Rational(7, 4)}));
-  const Body hollow =
-      minus(*scaled(box_of_4, 6), any(*scaled(box({1, 1, 1}, {2, 2, 2}), 6), *scaled(box({2, 2, 1}, {3, 3, 2}), 6)));
-  EXPECT_EQ(separated(hollow, triangulated(hollow)).added, std::vector<RationalPoint>(2, RationalPoint{12, 12, 9}));
+  // Where the vertex goes from the edge's lower end, or from the other one: the edge of one step has no grid point
+  // inside, that of (5, 1, 1) neither; those of six and three steps have.
+  const auto expect_added = [&](const std::array<Vector, 3>& columns, const RationalPoint& low,
+                                const RationalPoint& high) {
+    const auto part = [&](const Vector& from, const Vector& to) { return *mapped(box(from, to), {0, 0, 0}, columns); };
+    const Body hollow = minus(part({0, 0, 0}, {4, 4, 4}), any(part({1, 1, 1}, {2, 2, 2}), part({2, 2, 1}, {3, 3, 2})));
+    const auto added = separated(hollow, triangulated(hollow)).added;
+    ASSERT_EQ(added.size(), 2u);
+    EXPECT_EQ(added[0], added[1]);
+    EXPECT_TRUE(added[0] == low || added[0] == high) << added[0][0] << ' ' << added[0][1] << ' ' << added[0][2];
+  };
+  expect_added({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {2, 2, Rational(5, 4)}, {2, 2, Rational(7, 4)});
+  expect_added({{{1, 0, 0}, {0, 1, 0}, {5, 1, 1}}}, {Rational(117, 16), Rational(49, 16), Rational(17, 16)},
+               {Rational(187, 16), Rational(63, 16), Rational(31, 16)});
+  expect_added({{{6, 0, 0}, {0, 6, 0}, {0, 0, 6}}}, {12, 12, 9}, {12, 12, 9});
+  expect_added({{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}}, {6, 6, 4}, {6, 6, 5});
 }
 
 // A block of 4 x 4 x 4 cells with two voids of two cells each that share an edge. Raw, it has a vertex inside the edge:
