@@ -48,5 +48,16 @@ TEST(MapFilterTest, FilteredImagesAreWithinTheirErrors) {
   EXPECT_GT(narrow, 500);
 }
 
+// A row of integers whose image of an integer is no double: (2^30 + 1) (2^29 - 1) has 59 bits.
+TEST(MapFilterTest, LongIntegersHaveErrors) {
+  AffineMap map;
+  map.linear[0][0] = Integer(power_of_2(30) + 1);
+  map.shift[0] = Integer(-power_of_2(59));
+  const auto [value, error] = MapFilter(map)(0, {0x1p29 - 1, 0, 0}, true);
+  EXPECT_EQ(value, -0x1p29);
+  EXPECT_EQ(map({Integer(power_of_2(29) - 1), 0, 0})[0], Rational(-power_of_2(29) - 1));
+  EXPECT_GE(error, 1);
+}
+
 }  // namespace
 }  // namespace quoin::rounding::testing

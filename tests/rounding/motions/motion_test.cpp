@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <variant>
+
 #include "rounding/motions/realize.h"
 #include "rounding/planes/wide_plane.h"
 #include "tests/rounding/motions/stated.h"
@@ -23,7 +25,16 @@ TEST(MotionTest, AnglesAddAsStated) {
   EXPECT_EQ(Motion::rotation(x_axis, 190), Motion::rotation(x_axis, -170));
   EXPECT_EQ(Motion::rotation(x_axis, -180), Motion::rotation(x_axis, 180));
   EXPECT_EQ(Motion::rotation(x_axis, 540), Motion::rotation(x_axis, 180));
+  EXPECT_EQ(std::get<RotationStep>(Motion::rotation(x_axis, -180).steps()[0]).degrees, 180);
   EXPECT_NE(Motion::rotation(x_axis, 1), Motion::rotation(x_axis, -1));
+}
+
+// A quarter about x, then one about z: x goes to y, y to z, z to x.
+TEST(MotionTest, JoinedTurnsActInTheirOrder) {
+  const Motion about_x = Motion::turn(quaternion(1, 1, 0, 0)), about_z = Motion::turn(quaternion(1, 0, 0, 1));
+  EXPECT_EQ(about_x.then(about_z), Motion::turn(quaternion(1, 1, 1, 1)));
+  EXPECT_EQ(about_z.then(about_x), Motion::turn(quaternion(1, 1, -1, 1)));
+  EXPECT_EQ(realize(about_x.then(about_z)).map({1, 2, 3}), (Vector{3, 1, 2}));
 }
 
 TEST(MotionTest, OppositeAxesAreOneAxis) {

@@ -195,6 +195,25 @@ TEST(PlaneRoundingTest, ParallelPlanesStayParallel) {
   }
 }
 
+// Numbers of some thousand digits go by their first ones.
+TEST(PlaneRoundingTest, LongDirectionsRoundAsTheirFirstDigits) {
+  std::mt19937_64 random = generator(360);
+  for (const unsigned bits : {8u, 24u, 62u})
+    for (int i = 0; i < 10; ++i) {
+      Normal short_one, long_one;
+      for (std::size_t k = 0; k < 3; ++k) {
+        short_one[k] = (Integer(random()) << 36) + Integer(random() >> 28);
+        if (below(random, 2) == 0) short_one[k] = -short_one[k];
+        long_one[k] = Integer(short_one[k] << 4000) + between(random, -1000, 1000);
+      }
+      const auto through_origin = [](const Normal& n) { return wide_plane({n[0], n[1], n[2]}, 0); };
+      for (const Method method : {Method::best, Method::lattice}) {
+        const WidePlane expected = rounded(rounder(bits), through_origin(short_one), method);
+        EXPECT_EQ(rounded(rounder(bits), through_origin(long_one), method), expected) << bits << ' ' << i;
+      }
+    }
+}
+
 TEST(PlaneRoundingTest, BestIsTheClosestDirection) {
   std::mt19937_64 random = generator(354);
   int with_offset = 0;

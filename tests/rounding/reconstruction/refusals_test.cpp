@@ -52,6 +52,27 @@ TEST(RefusalsTest, OutOfRange) {
   }
 }
 
+// By planes, exactly, and vertex by vertex.
+TEST(RefusalsTest, TheEndOfTheWorldBelongsToIt) {
+  const Shape box = shape(block({6, 6, 9})), roof = shape(frustum(4, 6, 0, 9, Fit::inscribed));
+  const Vector last{exact::world - 6, exact::world - 6, exact::world - 9};
+  for (const Shape* s : {&box, &roof})
+    for (const bool by_vertices : {false, true}) {
+      const ReconstructionOptions options{Method::best, by_vertices};
+      const Reconstructed r = made(placed(*s, shift(last)), options);
+      EXPECT_EQ(r.by_planes, !by_vertices);
+      EXPECT_EQ(r.displacement, 0);
+      EXPECT_EQ(booleans::volume(r.body), Rational(sixfold_volume(s->polyhedron) / 6));
+      for (std::size_t k = 0; k < 3; ++k) {
+        Vector beyond = last;
+        beyond[k] += 1;
+        const auto refused = reconstruct(std::vector{placed(*s, shift(beyond))}, options);
+        ASSERT_FALSE(refused.has_value()) << k;
+        EXPECT_EQ(refused.error().code, ErrorCode::out_of_range);
+      }
+    }
+}
+
 // Where vertices need different factors the largest is named.
 TEST(RefusalsTest, OutOfRangeOfLongShapes) {
   const Shape beam = shape(block({Rational(power_of_2(32)), 8, 8}));

@@ -81,6 +81,15 @@ TEST(VertexRoundingTest, TiesAndExactImagesVertexByVertex) {
   EXPECT_GT(made(placed(fives, shift({7, hair, 9})), {Method::best, true}).displacement, 0);
 }
 
+// 73.5 / 49 is halfway between grid points; by doubles it is less than that: 73.5 (1 / 49) = 1.4999999999999998.
+TEST(VertexRoundingTest, TiesThatDoublesMiss) {
+  const Rational size(147, 2);
+  const Shape s = shape(block({size, size, size}));
+  const Reconstructed r = made(placed(s, scaled({}, Rational(1, 49))), {Method::best, true});
+  EXPECT_EQ(booleans::volume(r.body), 8);
+  EXPECT_TRUE(is_a_rounding(r.displacement));
+}
+
 // A movement whose square is no double: the other corners go nowhere.
 TEST(VertexRoundingTest, ACornerNextToTheOrigin) {
   const Rational hair = Rational(Integer(1), Integer(pow(Integer(10), 200u)));

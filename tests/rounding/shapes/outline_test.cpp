@@ -89,6 +89,18 @@ TEST(OutlineTest, ExtrusionsRefuseWhatIsNoRegion) {
   expect_refusal(extrusion({{{{0, 0}, {4, 0}, {4, 6}, {4, 4}, {0, 4}}}}, up));
 }
 
+// An outline that begins at the height of another one's corners is inside or outside all the same.
+TEST(OutlineTest, CornersAtOneHeight) {
+  const Vector up{0, 0, 1};
+  for (const int x : {-5, 5})
+    for (const int y : {-2, 0, 2})
+      EXPECT_EQ(volume(sound(extrusion({{square(0, 0, 2)}, {square(x, y, 2)}}, up), 4)), 8) << x << ' ' << y;
+  const Loop diamond{{0, -4}, {4, 0}, {0, 4}, {-4, 0}};
+  // Clockwise, as holes are: they begin with their left corner and with their right one.
+  for (const Loop& hole : {Loop{{-1, 0}, {0, 1}, {1, 0}}, Loop{{1, 0}, {0, -1}, {-1, 0}}})
+    EXPECT_EQ(volume(sound(extrusion({{diamond, hole}}, up), 0)), 31);
+}
+
 // Second way for crossings: all pairs of sides in all small pentagons.
 TEST(OutlineTest, ExtrusionsRefuseAllCrossings) {
   std::mt19937_64 random = generator(609);
