@@ -69,6 +69,22 @@ TEST(Convert, Origins) {
   EXPECT_EQ(moved.value().on_grid(Grid()).value().to_quoin(), a.to_quoin());
 }
 
+// Derived points on grids of other origins.
+TEST(Convert, ToOtherOriginsAndBack) {
+  auto random = random_engine();
+  for (const char* step : {"1/4", "3/7", "2"}) {
+    const Grid shifted = Grid::with_step_and_origin(step, {"1/2", "-100", "7/3"}).value();
+    for (int round = 0; round < 5; ++round) {
+      const Solid a = random_tetrahedron(random, 6) - random_tetrahedron(random, 6);
+      const auto moved = a.on_grid(shifted);
+      ASSERT_TRUE(moved) << moved.error().message;
+      EXPECT_TRUE(moved.value() == a) << step;
+      EXPECT_EQ(moved.value().volume(), a.volume());
+      EXPECT_EQ(moved.value().on_grid(Grid()).value().to_quoin(), a.to_quoin());
+    }
+  }
+}
+
 TEST(Convert, ComplementsEmptyAndFull) {
   const Solid a = box({0, 0, 0}, {1, 1, 1});
   const Grid fine = grid_of("1/7");

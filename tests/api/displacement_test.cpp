@@ -177,6 +177,23 @@ TEST(Displacement, OfSolidsUnderRandomMotions) {
   EXPECT_GT(tightest, Rational(1, 16));
 }
 
+// Where the angle is exact the rounding of planes is all there is: the bound is that, rounded upwards.
+TEST(Displacement, OfExactTurns) {
+  std::mt19937_64 random = random_engine();
+  const Solid solid = box({-3, 1, 2}, {4, 5, 3}, grid_of("1/1048576"));
+  for (int i = 0; i < 40; ++i) {
+    std::array<std::string, 4> wxyz;
+    for (std::string& x : wxyz) x = std::to_string(1 + below(random, 1'000'000'000'000));
+    const Motion turn = Motion::quaternion(wxyz).value();
+    MotionReport report;
+    const auto result = moved(solid, turn, {}, &report);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(report.angle_error, 0);
+    const Points expected = carried(corners(solid), stated(turn));
+    EXPECT_GT(expect_within(report, expected, result.value(), std::to_string(i)), Rational(99, 100));
+  }
+}
+
 // An angle that is too small for any rational rotation: nothing moves, although it should.
 TEST(Displacement, OfATetrahedronByATinyAngle) {
   const Solid tetrahedron = api_test::tetrahedron({{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}}});

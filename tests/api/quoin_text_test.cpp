@@ -87,6 +87,19 @@ TEST(QuoinText, AFaceCutInTwo) {
             "all faces at the edge between the vertices 0 and 3 lie on one plane: it is no edge, face 1");
 }
 
+TEST(QuoinText, TheEndOfTheWorldBelongsToIt) {
+  constexpr int end = 536'870'912;
+  const std::string text = damage::block({-end, -end, -end}, {end, end, end}).to_quoin();
+  EXPECT_EQ(fault_of(text), "");
+  EXPECT_EQ(Solid::from_quoin(text).value().to_quoin(), text);
+  for (const std::size_t v : {0u, 7u}) {
+    damage::Document d = damage::opened(text);
+    d.numbers.vertices[v][1] = v == 0 ? "-536870913" : "536870913";
+    EXPECT_EQ(fault_of(damage::closed(d)),
+              "the vertex lies outside the world of +-2^29 grid steps, vertex " + std::to_string(v));
+  }
+}
+
 // Order is the writer's duty: what is out of order is read, and written again in canonical order.
 TEST(QuoinText, OutOfOrder) {
   const std::string text = damage::closed(cube());

@@ -194,6 +194,9 @@ TEST(Solid, OperatorsNeedOneGrid) {
   EXPECT_EQ(thrown([&] { return a - b; }), "inexact-grid");
   EXPECT_EQ(thrown([&] { return a & b; }), "inexact-grid");
   EXPECT_EQ(thrown([&] { return a ^ b; }), "inexact-grid");
+  // Of one step, but between each other.
+  const Solid c = box({.5, 0, 0}, {1.5, 1, 1}, Grid::with_step_and_origin("1", {"1/2", "0", "0"}).value());
+  EXPECT_EQ(thrown([&] { return a + c; }), "inexact-grid");
   EXPECT_TRUE(a == b);
   EXPECT_FALSE(a == box({0, 0, 0}, {1, 1, 1.5}, grid_of("1/2")));
   const Solid both = unite({a, b}).value();

@@ -369,6 +369,8 @@ TEST_F(CliTest, AnInsideOutBodyAmongOthersIsSaid) {
   EXPECT_EQ(r.json()["import"][0]["dropped_shells"], 1);
   EXPECT_EQ(r.json()["import"][0]["dropped_where"], "shell at (3.5, 3.5, 3.5)");
   EXPECT_EQ(run({"check", "two.off", "--json"}).json()["dropped_shells"], 1);
+  // To check is to prove, whatever is trusted.
+  EXPECT_EQ(run({"check", "two.off", "--trust", "--json"}).json()["dropped_shells"], 1);
   EXPECT_NE(run({"check", "two.off"}).out.find("shells dropped       1"), std::string::npos);
   EXPECT_EQ(run({"check", "a.off", "--json"}).json()["dropped_shells"], 0);
 }
@@ -438,6 +440,18 @@ TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
     ASSERT_EQ(back.code, 0) << format << ": " << back.err;
     EXPECT_EQ(back.json()["volume"], "1") << format;
     EXPECT_EQ(back.json()["faces"], 6) << format;
+  }
+}
+
+// A cube of one step where float32 has multiples of 8: all its triangles collapse in an STL file, none in others.
+TEST_F(CliTest, WhatRoundingDoesIsThatOfTheFormat) {
+  put("far.off", cube("67108864", "67108865"));
+  for (const auto& [name, collapsed] : std::vector<std::pair<std::string, int>>{{"out.stl", 12}, {"out.off", 0}}) {
+    const Outcome r = run({"convert", "far.off", "-o", name, "--step", "1", "--json"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.json()["export"]["collapsed"], collapsed) << name;
+    EXPECT_EQ(r.json()["export"]["flipped"], 0) << name;
+    EXPECT_EQ(r.json()["volume"], "1");
   }
 }
 
