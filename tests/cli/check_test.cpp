@@ -1,0 +1,67 @@
+#include "tests/cli/support.h"
+
+namespace quoin::cli_test {
+namespace {
+
+TEST_F(CliTest, CheckReportsWhatImportDid) {
+  const Outcome r = run({"check", "a.off", "--json"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  const Json object = r.json();
+  expect_keys(object, {"valid", "closed", "resolved_crossings", "zero_area_triangles", "merged_points", "max_snap"});
+  EXPECT_EQ(object["valid"], true);
+  EXPECT_EQ(object["closed"], true);
+  EXPECT_EQ(object["resolved_crossings"], 0);
+  EXPECT_NE(run({"check", "a.off"}).out, "");
+  EXPECT_EQ(run({"check", "a.off", "--quiet"}).out, "");
+}
+
+TEST_F(CliTest, CheckRefusesAnOpenSurface) {
+  std::string text = cube("0", "1");
+  text.replace(text.find("8 6 0"), 5, "8 5 0");
+  put("open.off", text.substr(0, text.rfind("4 1 3 7 5")));
+  expect_error(run({"check", "open.off", "--json"}), 1, "open-boundary", "open.off");
+}
+
+TEST_F(CliTest, CheckRefusesAnInsideOutSurface) {
+  std::string text = cube("0", "1");
+  const auto faces = text.find("4 0 2 3 1");
+  put("inside-out.off", text.substr(0, faces) + "4 1 3 2 0\n4 6 7 5 4\n4 4 5 1 0\n4 3 7 6 2\n4 2 6 4 0\n4 5 7 3 1\n");
+  expect_error(run({"check", "inside-out.off", "--json"}), 1, "inside-out", "inside-out.off");
+}
+
+TEST_F(CliTest, CheckRefusesAMeshWithoutFaces) {
+  put("wires.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 1\n");
+  expect_error(run({"check", "wires.obj", "--json"}), 1, "no-faces", "wires.obj");
+  expect_error(run({"union", "a.off", "wires.obj", "-o", "out.stl", "--json"}), 1, "no-faces", "wires.obj");
+}
+
+TEST_F(CliTest, AnInsideOutBodyAmongOthersIsSaid) {
+  put("two.off", one_body_inside_out());
+  const std::string warning =
+      "quoin: warning: 1 shell is inside out and bounds nothing of the solid: dropped "
+      "(two.off, shell at (3.5, 3.5, 3.5))\n";
+  for (const Words& words : std::vector<Words>{{"info", "two.off"},
+                                               {"check", "two.off"},
+                                               {"convert", "two.off", "-o", "out.quoin"},
+                                               {"union", "a.off", "two.off", "-o", "out.quoin"}}) {
+    const Outcome plain = run(words);
+    EXPECT_EQ(plain.code, 0) << plain.err;
+    EXPECT_EQ(plain.err, warning) << words[0];
+    Words quiet = words;
+    quiet.push_back("--quiet");
+    EXPECT_EQ(run(quiet).err, "") << words[0];
+  }
+  const Outcome r = run({"info", "two.off", "--json"});
+  EXPECT_EQ(r.err, warning);
+  EXPECT_EQ(r.json()["volume"], "8");
+  EXPECT_EQ(r.json()["import"][0]["dropped_shells"], 1);
+  EXPECT_EQ(r.json()["import"][0]["dropped_where"], "shell at (3.5, 3.5, 3.5)");
+  EXPECT_EQ(run({"check", "two.off", "--json"}).json()["dropped_shells"], 1);
+  // To check is to prove, whatever is trusted.
+  EXPECT_EQ(run({"check", "two.off", "--trust", "--json"}).json()["dropped_shells"], 1);
+  EXPECT_NE(run({"check", "two.off"}).out.find("shells dropped       1"), std::string::npos);
+  EXPECT_EQ(run({"check", "a.off", "--json"}).json()["dropped_shells"], 0);
+}
+
+}  // namespace
+}  // namespace quoin::cli_test

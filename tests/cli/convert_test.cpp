@@ -1,0 +1,41 @@
+#include "tests/cli/support.h"
+
+namespace quoin::cli_test {
+namespace {
+
+TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
+  const std::vector<std::pair<std::string, std::string>> formats = {
+      {"stl", "stl"}, {"stl-ascii", "stl"}, {"obj", "obj"},    {"off", "off"},
+      {"ply", "ply"}, {"ply-ascii", "ply"}, {"quoin", "quoin"}};
+  for (const auto& [format, extension] : formats) {
+    const std::string name = "out." + extension;
+    const Outcome r = run({"convert", "a.off", "-o", name, "--format", format, "--json"});
+    ASSERT_EQ(r.code, 0) << format << ": " << r.err;
+    expect_keys(r.json(), {"volume", "seconds", "cpu_seconds", "peak_rss_bytes", "max_snap", "export", "import"});
+    const Outcome back = run({"info", name, "--json"});
+    ASSERT_EQ(back.code, 0) << format << ": " << back.err;
+    EXPECT_EQ(back.json()["volume"], "1") << format;
+    EXPECT_EQ(back.json()["faces"], 6) << format;
+  }
+}
+
+TEST_F(CliTest, AsciiVariantIsChosenByFormat) {
+  ASSERT_EQ(run({"convert", "a.off", "-o", "text.stl", "--format", "stl-ascii"}).code, 0);
+  ASSERT_EQ(run({"convert", "a.off", "-o", "binary.stl"}).code, 0);
+  EXPECT_EQ(get("text.stl").rfind("solid", 0), 0U);
+  EXPECT_EQ(get("binary.stl").size(), 84U + 12U * 50U);
+}
+
+TEST_F(CliTest, StandardInputAndOutput) {
+  const Outcome r = run({"convert", "-", "-o", "-", "--format", "off"}, cube("0", "1"));
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(r.out.rfind("OFF", 0), 0U) << r.out;
+  put("again.off", r.out);
+  EXPECT_EQ(run({"info", "again.off", "--json"}).json()["volume"], "1");
+  const Outcome info = run({"info", "-", "--format", "off", "--json"}, cube("0", "2"));
+  ASSERT_EQ(info.code, 0) << info.err;
+  EXPECT_EQ(info.json()["volume"], "8");
+}
+
+}  // namespace
+}  // namespace quoin::cli_test
