@@ -3,6 +3,7 @@
 
 #include "api/access.h"
 #include "api/run.h"
+#include "api/surface.h"
 #include "booleans/surface/rounded.h"
 #include "booleans/surface/separated.h"
 #include "grid/balance.h"
@@ -30,7 +31,7 @@ ExportReport reported(const Body& body, const Triangulated& mesh, const grid::La
 }
 
 Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options,
-                      ExportReport* report) {
+                      ExportReport* report, SurfaceCounts* surface) {
   // False when the run was cancelled.
   const auto begin = [&](const char* stage, double fraction) {
     if (options.run.stage) options.run.stage(stage);
@@ -43,7 +44,9 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
   Triangulated mesh = booleans::triangulated(body);
 
   if (!begin("separate", 0.4)) return cancelled;
-  if (options.topology == Topology::manifold) mesh = booleans::separated(body, std::move(mesh));
+  const std::size_t vertices = mesh.vertex_count();
+  const bool is_separated = options.topology == Topology::manifold;
+  if (is_separated) mesh = booleans::separated(body, std::move(mesh));
 
   if (!begin("round", 0.7)) return cancelled;
   const Floats floats = options.float32 ? Floats::float32 : Floats::float64;
@@ -59,6 +62,7 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
                  "vertex " + grid::describe_point(&places[static_cast<std::size_t>(far - out.points.begin()) / 3 * 3])};
   }
   if (report) *report = reported(body, mesh, lattice, floats, out.points);
+  if (surface) *surface = is_separated ? surface_counts(mesh, vertices) : surface_counts(body, mesh);
 
   out.triangles = std::move(mesh.corners);
   if (options.run.progress) options.run.progress(1);
@@ -67,12 +71,14 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
 
 }  // namespace
 
-Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report) const {
+Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report, SurfaceCounts* surface) const {
   if (report) *report = {};
+  if (surface) *surface = {};
   const Body& body = Access::operand(*this);
   if (body.full_at_infinity)
     return Error{ErrorCode::unbounded, "an unbounded solid has no triangle mesh; its complement may have one"};
-  return with_threads(options.run.threads, [&] { return exported(body, Access::lattice(*this), options, report); });
+  return with_threads(options.run.threads,
+                      [&] { return exported(body, Access::lattice(*this), options, report, surface); });
 }
 
 }  // namespace quoin

@@ -2,29 +2,21 @@
 
 #include "api/access.h"
 #include "api/run.h"
+#include "api/surface.h"
 #include "booleans/body/measure.h"
-#include "booleans/surface/separated.h"
-#include "booleans/surface/shells.h"
 
 namespace quoin {
 
 using booleans::Body;
-using booleans::Triangulated;
 using exact::Rational;
 
 namespace {
 
-/// Of the mesh that an export writes.
-void add_topology(const Body& body, Info& info) {
-  Triangulated mesh = booleans::triangulated(body);
-  const std::size_t vertices = mesh.vertex_count();
-  mesh = booleans::separated(body, std::move(mesh));
-
-  const booleans::Shells shells = booleans::shells(mesh);
-  info.triangles = mesh.triangle_count();
-  info.shells = shells.count;
-  info.genus = shells.genus;
-  info.manifold = mesh.vertex_count() == vertices;
+void add_surface(const SurfaceCounts& counts, Info& info) {
+  info.triangles = counts.triangles;
+  info.shells = counts.shells;
+  info.genus = counts.genus;
+  info.manifold = counts.manifold;
 }
 
 void add_measures(const Solid& solid, Info& info) {
@@ -38,7 +30,7 @@ void add_measures(const Solid& solid, Info& info) {
 
 }  // namespace
 
-Info Solid::info(const Options& options) const {
+Info Solid::info(const Options& options, const SurfaceCounts* surface) const {
   const auto report = [&](double done) {
     if (options.progress) options.progress(done);
   };
@@ -55,7 +47,7 @@ Info Solid::info(const Options& options) const {
       info.box = box();
       report(0.4);
 
-      add_topology(body, info);
+      add_surface(surface ? *surface : surface_counts(body, booleans::triangulated(body)), info);
       report(0.7);
     }
 

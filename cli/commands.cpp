@@ -55,6 +55,7 @@ struct Output {
   Solid solid;
   Info info = {};
   ExportReport report = {};
+  std::optional<SurfaceCounts> surface = {};  // of what was written as triangles
   std::string bytes = {};
 };
 
@@ -76,9 +77,10 @@ auto polled_stage(Session& session, Stage stage, Work&& work) {
   return unless_cancelled(std::move(result));
 }
 
-Result<Info> measured_info(const Solid& solid, Session& session) {
+/// `surface`: what an export of the solid counted; nullptr without one.
+Result<Info> measured_info(const Solid& solid, const SurfaceCounts* surface, Session& session) {
   const PolledStage guard;
-  Result<Info> info = solid.info(session.options("measuring"));
+  Result<Info> info = solid.info(session.options("measuring"), surface);
   session.progress.clear();
   return unless_cancelled(std::move(info));
 }
@@ -206,7 +208,10 @@ Result<void> check_output(const Arguments& a, const std::string& path) {
       .code = ErrorCode::unwritable, .message = "the folder of the output is missing or not writable", .file = path};
 }
 
-/// Fills in the bytes of the file, and what rounding did.
+/// Whether anyone hears what became of the results.
+bool says_results(const Arguments& a) { return a.json || !a.quiet; }
+
+/// Fills in the bytes of the file and, where it is said, what rounding did.
 Result<void> format_output(Session& session, Output& output) {
   const Arguments& a = session.arguments;
   const auto format = a.output_format(output.path);
@@ -219,7 +224,8 @@ Result<void> format_output(Session& session, Output& output) {
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
     const ExportOptions options = {
         .topology = a.topology, .float32 = kind.is_float32, .run = session.options("exporting")};
-    return output.solid.to_triangles(options, &output.report);
+    if (!says_results(a)) return output.solid.to_triangles(options);
+    return output.solid.to_triangles(options, &output.report, &output.surface.emplace());
   });
   if (!mesh) {
     Error error = mesh.error();
@@ -321,7 +327,7 @@ Result<void> run_info(Session& session) {
   const auto operands = load(session);
   if (!operands) return operands.error();
   const Solid& solid = operands.value().solids[0];
-  const auto info = measured_info(solid, session);
+  const auto info = measured_info(solid, nullptr, session);
   if (!info) return info.error();
   Json object = info_json(solid, info.value());
   object["max_snap"] = operands.value().max_snap();
@@ -365,8 +371,8 @@ Result<void> run_writing(Session& session) {
   results.value().solids.clear();
   for (auto& output : outputs) {
     if (const auto formatted = format_output(session, output); !formatted) return formatted.error();
-    if (!a.json && a.quiet) continue;
-    const auto info = measured_info(output.solid, session);
+    if (!says_results(a)) continue;
+    const auto info = measured_info(output.solid, output.surface ? &*output.surface : nullptr, session);
     if (!info) return info.error();
     output.info = info.value();
   }

@@ -89,8 +89,9 @@ class QUOIN_API Solid {
 
   bool is_empty() const;
   bool is_bounded() const;
-  /// Everything that can be counted or measured at once.
-  Info info(const Options& options = {}) const;
+  /// Everything that can be counted or measured at once. `surface`: what an export of this very solid counted; given
+  /// that, nothing is triangulated.
+  Info info(const Options& options = {}, const SurfaceCounts* surface = nullptr) const;
   /// Those of `info`, each by itself: these need no triangulation.
   std::optional<Box> box() const;
   Counts counts() const;
@@ -101,8 +102,10 @@ class QUOIN_API Solid {
   /// Exact, for any three finite doubles in model units.
   Location classify(const std::array<double, 3>& point) const;
 
-  /// Triangles, correctly rounded. Errors: "unbounded", "out-of-range", "cancelled".
-  Result<Mesh> to_triangles(const ExportOptions& options = {}, ExportReport* report = nullptr) const;
+  /// Triangles, correctly rounded. `report` and `surface`, when given, receive what else there is to say of them.
+  /// Errors: "unbounded", "out-of-range", "cancelled".
+  Result<Mesh> to_triangles(const ExportOptions& options = {}, ExportReport* report = nullptr,
+                            SurfaceCounts* surface = nullptr) const;
   /// The exact solid as text in canonical order: equal point sets on one grid give equal bytes.
   std::string to_quoin() const;
   /// Writes .stl, .obj, .off, .ply or .quoin, by the extension; the file appears whole or not at all.

@@ -33,6 +33,15 @@ struct ExportOptions {
   Options run = {};
 };
 
+/// What `Info` counts of triangles, whatever the topology of the export: those of the boundary with touching parts
+/// separated.
+struct SurfaceCounts {
+  std::uint64_t triangles = 0, shells = 0;
+  std::int64_t genus = 0;
+  bool manifold = true;
+  friend bool operator==(const SurfaceCounts&, const SurfaceCounts&) = default;
+};
+
 /// What rounding to floating point did to the exported triangles.
 struct ExportReport {
   std::uint64_t triangles = 0;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "api/access.h"
+#include "examples/models.h"
 #include "grid/lists/partition.h"
 #include "quoin/quoin.h"
 #include "tests/booleans/lattice_sets.h"
@@ -57,6 +59,16 @@ std::optional<MeshTopology> topology_of(const Mesh& mesh) {
   return r;
 }
 
+/// What `info` counts of the surface.
+SurfaceCounts surface_of(const Info& info) { return {info.triangles, info.shells, info.genus, info.manifold}; }
+
+/// What an export of that topology counts.
+SurfaceCounts counted(const Solid& solid, Topology topology) {
+  SurfaceCounts counts;
+  EXPECT_TRUE(solid.to_triangles({.topology = topology}, nullptr, &counts));
+  return counts;
+}
+
 TEST(Export, InfoCountsTheMeshThatIsWritten) {
   const std::uint64_t cases = case_count(400);
   for (std::uint64_t number = 0; number < cases; ++number) {
@@ -79,6 +91,8 @@ TEST(Export, InfoCountsTheMeshThatIsWritten) {
       const std::size_t indexed = s.to_triangles({Topology::indexed}, &report).value().points.size();
       ASSERT_EQ(report.split_edges, 0u);
       ASSERT_EQ(info.manifold, indexed == mesh.points.size());
+      for (const Topology topology : {Topology::manifold, Topology::indexed})
+        ASSERT_EQ(counted(s, topology), surface_of(info));
     }
     // All vertices are grid points: what is written is the solid.
     const Mesh mesh = solid.to_triangles().value();
@@ -87,6 +101,32 @@ TEST(Export, InfoCountsTheMeshThatIsWritten) {
     ASSERT_EQ(solid.info().shells, read_back.info().shells);
     ASSERT_EQ(solid.info().genus, read_back.info().genus);
   }
+}
+
+// A ball whose surface a bite changed in one place: such a result shares the lists of its operand.
+TEST(Export, InfoTakesWhatTheExportCounted) {
+  const Mesh ball = examples::icosphere({0, 0, 0}, 1, 4), bite = examples::box({0.9, -0.05, -0.05}, {1.1, 0.05, 0.05});
+  const Grid grid = Grid::with_step("1/100000").value();
+  const Solid bitten = Solid::from_triangles(ball.points, ball.triangles, grid).value() -
+                       Solid::from_triangles(bite.points, bite.triangles, grid).value();
+  ASSERT_FALSE(Access::operand(bitten).is_packed);
+
+  const Info info = bitten.info();
+  for (const Topology topology : {Topology::manifold, Topology::indexed}) {
+    const SurfaceCounts counts = counted(bitten, topology);
+    EXPECT_EQ(counts, surface_of(info));
+    const Info again = bitten.info({}, &counts);
+    EXPECT_EQ(surface_of(again), counts);
+    EXPECT_EQ(again.faces, info.faces);
+    EXPECT_EQ(again.volume, info.volume);
+  }
+  // It is taken, not found out again: nothing else would count 77 handles.
+  const SurfaceCounts other{.triangles = 5, .shells = 6, .genus = 77, .manifold = false};
+  EXPECT_EQ(surface_of(bitten.info({}, &other)), other);
+  // What is refused counts nothing.
+  SurfaceCounts none = other;
+  EXPECT_FALSE((~bitten).to_triangles({}, nullptr, &none));
+  EXPECT_EQ(none, SurfaceCounts{});
 }
 
 TEST(Export, SplitEdgesAreReportedAndKeepTheSolid) {
