@@ -173,12 +173,13 @@ Result<Solid> read_solid(const std::string& path, const ImportOptions& options, 
   return std::move(solids.value()[0]);
 }
 
-Result<Model> Model::read(const std::string& path) {
+Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports) {
+  if (imports) imports->clear();
   const auto text = io::read_file(path);
   if (!text) return in_file(text.error(), path);
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, std::max<std::size_t>(slash, 1));
-  auto model = from_json(text.value(), folder);
+  auto model = from_json(text.value(), folder, imports);
   // The mesh beside it has its own name.
   if (!model && model.error().file.empty()) return in_file(model.error(), path);
   return model;

@@ -31,14 +31,14 @@ struct Session {
   }
 };
 
-/// The operands on one grid, with what import did to each.
+/// The operands on one grid, and what import did to each file; of a model the files that it names.
 struct Operands {
   std::vector<Solid> solids;
-  std::vector<ImportReport> reports;
+  std::vector<MeshImport> imports;
 
   double max_snap() const {
     double largest = 0;
-    for (const auto& report : reports) largest = std::max(largest, report.max_snap);
+    for (const auto& import : imports) largest = std::max(largest, import.report.max_snap);
     return largest;
   }
 };
@@ -86,15 +86,14 @@ Result<Info> measured_info(const Solid& solid, const SurfaceCounts* surface, Ses
 }
 
 /// Says what import could not keep.
-void warn_of_losses(const Arguments& a, const Operands& operands) {
+void warn_of_losses(const Arguments& a, const std::vector<MeshImport>& imports) {
   if (a.quiet) return;
-  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
-    const ImportReport& report = operands.reports[i];
+  for (const auto& [file, report] : imports) {
     const std::uint64_t count = report.dropped_shells;
     if (count == 0) continue;
     const std::string what =
         count == 1 ? "1 shell is inside out and bounds" : std::to_string(count) + " shells are inside out and bound";
-    print_warning(what + " nothing of the solid: dropped", a.inputs[i], report.dropped_where);
+    print_warning(what + " nothing of the solid: dropped", file, report.dropped_where);
   }
 }
 
@@ -116,14 +115,16 @@ Result<Operands> load(Session& session, Trust trust) {
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }
-  Operands operands;
+  std::vector<ImportReport> reports;
   auto solids = polled_stage(session, Stage::build, [&] {
     const ImportOptions options = {.grid = a.grid, .trust = trust, .run = session.options("building")};
-    return build(std::move(sources), options, &operands.reports);
+    return build(std::move(sources), options, &reports);
   });
   if (!solids) return solids.error();
-  operands.solids = std::move(solids).value();
-  warn_of_losses(a, operands);
+
+  Operands operands{std::move(solids).value(), {}};
+  for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
+  warn_of_losses(a, operands.imports);
   return operands;
 }
 
@@ -131,12 +132,14 @@ Result<Operands> load(Session& session) {
   return load(session, session.arguments.trust ? Trust::embedded : Trust::nothing);
 }
 
-/// Evaluates a model.
-Result<Computed> evaluate_model(Session& session) {
+/// Evaluates a model; fills in what import did to the files that it names.
+Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& imports) {
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
-  const auto model = session.times.measure(Stage::read, [&] { return Model::read(path); });
+  const auto model = session.times.measure(Stage::read, [&] { return Model::read(path, &imports); });
   if (!model) return model.error();
+  warn_of_losses(a, imports);
+
   Computed computed;
   auto solid = polled_stage(session, Stage::boolean, [&] {
     const ModelOptions options = {
@@ -266,20 +269,20 @@ std::string seconds_text(double seconds) {
   return line.data();
 }
 
-std::string import_summary(const Arguments& a, const Operands& operands) {
+/// Nothing where no file was imported.
+std::string import_summary(const Operands& operands) {
+  if (operands.imports.empty()) return {};
   std::string text = "largest snap " + decimal(operands.max_snap()) + "\n";
-  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
-    const auto crossings = operands.reports[i].resolved_crossings;
-    if (crossings > 0) text += a.inputs[i] + ": resolved crossings " + std::to_string(crossings) + "\n";
+  for (const auto& [file, report] : operands.imports) {
+    const auto crossings = report.resolved_crossings;
+    if (crossings > 0) text += file + ": resolved crossings " + std::to_string(crossings) + "\n";
   }
   return text;
 }
 
-Json imports_json(const Arguments& a, const Operands& operands) {
+Json imports_json(const Operands& operands) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < operands.reports.size(); ++i) {
-    list.push_back(import_json(a.inputs[i], operands.reports[i]));
-  }
+  for (const auto& [file, report] : operands.imports) list.push_back(import_json(file, report));
   return list;
 }
 
@@ -301,7 +304,7 @@ Json result_json(const Session& session, const Operands& operands, const std::op
   session.times.add_to(object);
   object["peak_rss_bytes"] = peak_memory();
   object["max_snap"] = operands.max_snap();
-  object["import"] = imports_json(session.arguments, operands);
+  object["import"] = imports_json(operands);
   const Arguments& a = session.arguments;
   if (a.command == Command::move) {
     const auto quaternion = a.motion.info().quaternion;
@@ -331,16 +334,15 @@ Result<void> run_info(Session& session) {
   if (!info) return info.error();
   Json object = info_json(solid, info.value());
   object["max_snap"] = operands.value().max_snap();
-  object["import"] = imports_json(session.arguments, operands.value());
-  return say(session.arguments, std::move(object),
-             info_text(solid, info.value()) + import_summary(session.arguments, operands.value()));
+  object["import"] = imports_json(operands.value());
+  return say(session.arguments, std::move(object), info_text(solid, info.value()) + import_summary(operands.value()));
 }
 
 Result<void> run_check(Session& session) {
   const Arguments& a = session.arguments;
   const auto operands = load(session, Trust::nothing);
   if (!operands) return operands.error();
-  const ImportReport& report = operands.value().reports[0];
+  const ImportReport& report = operands.value().imports[0].report;
   Json object;
   object["valid"] = true;
   object["closed"] = true;
@@ -360,7 +362,7 @@ Result<void> run_writing(Session& session) {
   auto operands = is_model ? Result<Operands>(Operands{}) : load(session);
   if (!operands) return operands.error();
   auto results = is_model
-                     ? evaluate_model(session)
+                     ? evaluate_model(session, operands.value().imports)
                      : polled_stage(session, Stage::boolean, [&] { return compute(session, operands.value().solids); });
   if (!results) return results.error();
   if (results.value().motion) warn_of_losses(a, *results.value().motion);
@@ -386,7 +388,7 @@ Result<void> run_writing(Session& session) {
   if (!a.quiet) {
     for (const auto& output : outputs) text += summary(output);
     if (results.value().motion) text += motion_text(*results.value().motion);
-    if (!is_model) text += import_summary(a, operands.value());
+    text += import_summary(operands.value());
     text += seconds_text(session.times.total_seconds());
   }
   return say(a, {}, text);

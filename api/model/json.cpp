@@ -180,7 +180,8 @@ class ModelWriter {
 
 class ModelReader {
  public:
-  explicit ModelReader(const std::string& folder) : folder_(folder) {}
+  /// `imports`: nullptr, or where files that are read are added.
+  ModelReader(const std::string& folder, std::vector<MeshImport>* imports) : folder_(folder), imports_(imports) {}
 
   Result<Model> run(const Json& document) {
     if (document.kind != Json::Kind::object) return bad(document, "a model is an object {..}");
@@ -266,20 +267,36 @@ class ModelReader {
       return bad(json, "a node has one member that says what it is, and perhaps a \"name\"");
     const auto& [word, body] = json.members[json.members[0].first == "name" ? 1 : 0];
     ++depth_;
-    auto model = word == "part" ? part_named(body) : word == "mesh" ? mesh(body) : known_node(json, word, body);
+    auto model = word == "part" ? part_named(body) : word == "mesh" ? mesh(json, body) : known_node(json, word, body);
     --depth_;
     if (model && name) return model.value().named(name->text);
     return model;
   }
 
   /// A solid from a file.
-  Result<Model> mesh(const Json& body) {
+  Result<Model> mesh(const Json& json, const Json& body) {
     const Json* file = body.member("file");
     if (!file || file->kind != Json::Kind::text) return bad(body, "a mesh has the member \"file\", a text");
     if (auto fault = unknown_member(body, {"file"})) return *fault;
-    auto solids = read({file->text.starts_with('/') ? file->text : folder_ + "/" + file->text});
-    if (!solids) return solids.error();
-    return Model::solid(solids.value()[0]);
+
+    const std::string path = file->text.starts_with('/') ? file->text : folder_ + "/" + file->text;
+    ImportReport report;
+    auto solid = quoin::read_solid(path, {}, &report);
+    if (!solid) return solid.error();
+    note_import(path, report);
+
+    auto made = std::make_shared<Node>();
+    made->kind = ModelKind::solid;
+    made->place = json.place();
+    made->solid = std::move(solid).value();
+    return Access::model(std::move(made));
+  }
+
+  /// A file that is named again is the same again.
+  void note_import(const std::string& path, const ImportReport& report) {
+    if (!imports_) return;
+    const auto is_known = [&](const MeshImport& known) { return known.file == path; };
+    if (std::none_of(imports_->begin(), imports_->end(), is_known)) imports_->push_back({path, report});
   }
 
   Result<Model> known_node(const Json& json, const std::string& word, const Json& body) {
@@ -383,6 +400,7 @@ class ModelReader {
 
   static constexpr int deepest = 500;
   const std::string& folder_;
+  std::vector<MeshImport>* imports_;
   const Json* parts_ = nullptr;
   std::map<std::string, Model> known_parts_;
   std::set<std::string> open_;
@@ -393,10 +411,11 @@ class ModelReader {
 
 std::string Model::to_json() const { return ModelWriter().run(*this); }
 
-Result<Model> Model::from_json(std::string_view text, const std::string& folder) {
+Result<Model> Model::from_json(std::string_view text, const std::string& folder, std::vector<MeshImport>* imports) {
+  if (imports) imports->clear();
   const auto document = io::read_json(text);
   if (!document) return document.error();
-  return ModelReader(folder).run(document.value());
+  return ModelReader(folder, imports).run(document.value());
 }
 
 }  // namespace quoin

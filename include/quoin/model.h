@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "quoin/grid.h"
+#include "quoin/import.h"
 #include "quoin/motion.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
@@ -26,6 +27,12 @@ namespace quoin {
 
 /// How a polygon approximates a circle: with its corners on it, its sides touching it, or the same area.
 enum class Fit { inscribed, circumscribed, equal_area };
+
+/// A file that a model's text names, and what import did to its mesh (all zero for an exact solid).
+struct MeshImport {
+  std::string file;
+  ImportReport report;
+};
 
 struct ModelOptions {
   /// The grid of the result. Default: the model's, else the finest of its solids, else one that fits the primitives.
@@ -107,12 +114,13 @@ class QUOIN_API Model {
 
   /// The model as JSON text (docs/model-format.md), without loss: shared subtrees stay shared.
   std::string to_json() const;
-  /// Meshes that the text names are read relative to `folder`. Errors: "bad-model" (`where` is "line L, column C"), and
-  /// those of `read`.
-  static Result<Model> from_json(std::string_view text, const std::string& folder = ".");
+  /// Meshes that the text names are read relative to `folder`; `imports`, when given, receives each of their files
+  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), and those of `read`.
+  static Result<Model> from_json(std::string_view text, const std::string& folder = ".",
+                                 std::vector<MeshImport>* imports = nullptr);
   /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,
   /// naming the file.
-  static Result<Model> read(const std::string& path);
+  static Result<Model> read(const std::string& path, std::vector<MeshImport>* imports = nullptr);
 
  private:
   friend struct Access;

@@ -403,6 +403,44 @@ TEST(ModelFile, MeshesOfAFolder) {
   fs::remove_all(folder);
 }
 
+TEST(ModelFile, ImportsOfMeshes) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / ("quoin_imports_" + std::to_string(std::random_device()()));
+  fs::create_directories(folder);
+  const std::string mesh = (folder / "two.off").string(), exact = (folder / "b.quoin").string();
+  // Two tetrahedra, the second one inside out.
+  std::ofstream(mesh) << "OFF\n8 8 0\n0 0 0\n3 0 0\n0 3 0\n0 0 2\n9 0 0\n10 0 0\n9 1 0\n9 0 1\n"
+                      << "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n3 4 7 5\n3 5 7 6\n3 6 7 4\n";
+  ASSERT_TRUE(box({0, 0, 0}, {1, 1, 4}).write(exact));
+
+  const std::string text = document(R"({"union": [{"mesh": {"file": "b.quoin"}}, {"part": "p"}, {"part": "p"}]})",
+                                    R"("parts": {"p": {"mesh": {"file": "two.off"}}})");
+  std::vector<MeshImport> imports(5);
+  const auto model = Model::from_json(text, folder.string(), &imports);
+  ASSERT_TRUE(model) << told(model.error());
+  ASSERT_EQ(imports.size(), 2U);
+  // In the order of the text: parts come first.
+  EXPECT_EQ(imports[0].file, mesh);
+  EXPECT_EQ(imports[0].report.dropped_shells, 1U);
+  EXPECT_EQ(imports[0].report.dropped_where, "shell at (9, 0, 0)");
+  EXPECT_EQ(imports[1].file, exact);
+  EXPECT_EQ(imports[1].report.dropped_shells, 0U);
+  ImportReport alone;
+  ASSERT_TRUE(read_solid(mesh, {}, &alone));
+  EXPECT_EQ(imports[0].report.dropped_where, alone.dropped_where);
+
+  // A model that is not read, and one without meshes, have none.
+  const std::string path = (folder / "model.json").string();
+  EXPECT_FALSE(Model::read(path, &imports));
+  EXPECT_TRUE(imports.empty());
+  std::ofstream(path) << text;
+  ASSERT_TRUE(Model::read(path, &imports));
+  EXPECT_EQ(imports.size(), 2U);
+  ASSERT_TRUE(Model::from_json(document(R"({"union": []})"), ".", &imports));
+  EXPECT_TRUE(imports.empty());
+  fs::remove_all(folder);
+}
+
 TEST(ModelFile, NotAModel) {
   EXPECT_EQ(refusal("").substr(0, 5), "line ");
   expect_refused("solid cube", "line 1, column 1", "not JSON");

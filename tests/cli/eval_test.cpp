@@ -26,6 +26,52 @@ TEST_F(CliTest, EvalOfAModel) {
   expect_error(run({"eval", "none.json", "-o", "out.off", "--json"}), 1, "missing-file", "none.json");
 }
 
+TEST_F(CliTest, EvalSaysWhatImportDidToMeshes) {
+  put("two.off", one_body_inside_out());
+  put("third.off", cube("0", "0.3333333333333333"));
+  put("model.json", R"({"quoin-model": 1, "model": {"union": [{"mesh": {"file": "two.off"}},
+    {"translate": {"by": [1, 0, 0], "of": {"mesh": {"file": "two.off"}}}}, {"mesh": {"file": "third.off"}}]}})");
+  const Words words = {"eval", "model.json", "-o", "out.quoin"};
+  const auto with = [&](const char* option) {
+    Words more = words;
+    more.push_back(option);
+    return run(more);
+  };
+  const std::string warning =
+      "quoin: warning: 1 shell is inside out and bounds nothing of the solid: dropped "
+      "(./two.off, shell at (3.5, 3.5, 3.5))\n";
+
+  // A file that is named twice is said once.
+  const Outcome plain = run(words);
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.err, warning);
+  EXPECT_NE(plain.out.find("\nlargest snap "), std::string::npos) << plain.out;
+  EXPECT_EQ(with("--quiet").err, "");
+
+  const Outcome r = with("--json");
+  EXPECT_EQ(r.err, warning);
+  const Json import = r.json()["import"];
+  ASSERT_EQ(import.size(), 2U);
+  EXPECT_EQ(import[0]["file"], "./two.off");
+  EXPECT_EQ(import[0]["dropped_shells"], 1);
+  EXPECT_EQ(import[0]["dropped_where"], "shell at (3.5, 3.5, 3.5)");
+  EXPECT_EQ(import[1]["file"], "./third.off");
+  EXPECT_EQ(import[1]["dropped_shells"], 0);
+  EXPECT_GT(import[1]["max_snap"].get<double>(), 0);
+  EXPECT_EQ(r.json()["max_snap"], import[1]["max_snap"]);
+  // The same as the mesh alone, on a grid of its own.
+  const Json alone = run({"info", "two.off", "--json"}).json()["import"][0];
+  for (const auto& [key, value] : alone.items()) EXPECT_EQ(key == "file" ? Json("two.off") : import[0][key], value);
+}
+
+TEST_F(CliTest, EvalOfAModelWithoutMeshesImportsNothing) {
+  put("box.json", R"({"quoin-model": 1, "model": {"block": {"size": [1, 2, 3]}}})");
+  EXPECT_EQ(run({"eval", "box.json", "-o", "out.off"}).out.find("snap"), std::string::npos);
+  const Json object = run({"eval", "box.json", "-o", "out.off", "--json"}).json();
+  EXPECT_EQ(object["import"], Json::array());
+  EXPECT_EQ(object["max_snap"], 0);
+}
+
 // A plate of a thousandth of a step, beside a block.
 TEST_F(CliTest, APrimitiveThatVanishesIsSaid) {
   put("thin.json", R"({"quoin-model": 1, "model": {"rotate": {"axis": "y", "angle": 30, "of": {"union": [
