@@ -19,6 +19,18 @@ TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
   }
 }
 
+// A cube of one step where float32 has multiples of 8: all its triangles collapse in an STL file, none in others.
+TEST_F(CliTest, WhatRoundingDoesIsThatOfTheFormat) {
+  put("far.off", cube("67108864", "67108865"));
+  for (const auto& [name, collapsed] : std::vector<std::pair<std::string, int>>{{"out.stl", 12}, {"out.off", 0}}) {
+    const Outcome r = run({"convert", "far.off", "-o", name, "--step", "1", "--json"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.json()["export"]["collapsed"], collapsed) << name;
+    EXPECT_EQ(r.json()["export"]["flipped"], 0) << name;
+    EXPECT_EQ(r.json()["volume"], "1");
+  }
+}
+
 TEST_F(CliTest, AsciiVariantIsChosenByFormat) {
   ASSERT_EQ(run({"convert", "a.off", "-o", "text.stl", "--format", "stl-ascii"}).code, 0);
   ASSERT_EQ(run({"convert", "a.off", "-o", "binary.stl"}).code, 0);
