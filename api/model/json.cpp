@@ -285,7 +285,7 @@ class ModelReader {
     if (!solid) return solid.error();
     note_import(path, report);
 
-    auto made = std::make_shared<Node>();
+    auto made = std::make_shared<ModelNode>();
     made->kind = ModelKind::solid;
     made->place = json.place();
     made->solid = std::move(solid).value();

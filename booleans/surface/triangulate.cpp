@@ -169,17 +169,17 @@ bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_
 }
 
 bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop) {
-  constexpr std::uint32_t none = UINT32_MAX;
+  constexpr std::uint32_t no_end = UINT32_MAX;
   loop.clear();
   if (edges.size() < 3) return false;
-  Scratch<std::uint32_t> next(vertex_count, none);
+  Scratch<std::uint32_t> next(vertex_count, no_end);
   for (const FaceEdge& edge : edges) {
-    if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != none) return false;
+    if (edge[0] >= vertex_count || edge[1] >= vertex_count || next[edge[0]] != no_end) return false;
     next[edge[0]] = edge[1];
   }
   const std::uint32_t start = edges[0][0];
   for (std::uint32_t v = start; loop.size() < edges.size(); v = next[v]) {
-    if (v == none || (v == start && !loop.empty())) return false;
+    if (v == no_end || (v == start && !loop.empty())) return false;
     loop.push_back(v);
   }
   return next[loop.back()] == start;
