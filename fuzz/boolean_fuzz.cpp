@@ -14,6 +14,7 @@
 #include "fuzz/law.h"
 #include "fuzz/script.h"
 #include "tests/booleans/lattice_sets.h"
+#include "tests/booleans/surface/position.h"
 #include "tests/grid/with_thresholds.h"
 
 namespace quoin::fuzz {
@@ -50,8 +51,8 @@ exact::Rational mesh_volume(const Body& body, const Triangulated& mesh) {
   exact::Rational six = 0;
   for (std::size_t n = 0; n < mesh.triangle_count(); ++n) {
     const auto t = mesh.triangle(n);
-    const std::array<RationalPoint, 3> p{position(body, mesh, t[0]), position(body, mesh, t[1]),
-                                         position(body, mesh, t[2])};
+    std::array<RationalPoint, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = testing::position(body, mesh, t[i]);
     const auto minor = [&](std::size_t i, std::size_t j) { return p[1][i] * p[2][j] - p[1][j] * p[2][i]; };
     six += p[0][0] * minor(1, 2) + p[0][1] * minor(2, 0) + p[0][2] * minor(0, 1);
   }

@@ -34,7 +34,4 @@ struct Triangulated {
 /// Every body vertex in use is one output vertex; an edge may carry 4, 6, ... triangles.
 Triangulated triangulated(const Body& body);
 
-/// Where an output vertex is, exactly.
-RationalPoint position(const Body& body, const Triangulated& mesh, std::uint32_t vertex);
-
 }  // namespace quoin::booleans

@@ -27,7 +27,6 @@ struct Loops {
 
   friend bool operator==(const Loops&, const Loops&) = default;
 
-  std::size_t face_count() const { return face_start.size() - 1; }
   std::size_t loop_count() const { return loop_start.size() - 1; }
   std::span<const Corner> loop(std::size_t j) const {
     return std::span<const Corner>(corners).subspan(loop_start[j], loop_start[j + 1] - loop_start[j]);

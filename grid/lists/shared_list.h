@@ -47,7 +47,6 @@ class SharedList {
     assert(i < size_);
     return items_[i];
   }
-  const T& back() const { return (*this)[size_ - 1]; }
   friend bool operator==(const SharedList& a, const SharedList& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }

@@ -257,7 +257,7 @@ class Solids {
     };
     if (random_.one_in(2)) {
       const Body b = *axis_box(0, 4);
-      return box(point(b.grid_points[0]), point(b.grid_points.back()));
+      return box(point(b.grid_points[0]), point(b.grid_points[b.grid_points.size() - 1]));
     }
     const auto body = any_tetrahedron(0, 4);
     if (!body) return std::nullopt;

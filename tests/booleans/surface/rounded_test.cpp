@@ -8,6 +8,7 @@
 #include "booleans/surface/separated.h"
 #include "tests/booleans/lattice_sets.h"
 #include "tests/booleans/support.h"
+#include "tests/booleans/surface/position.h"
 
 namespace quoin::booleans::testing {
 namespace {

@@ -10,6 +10,7 @@
 #include "grid/lists/partition.h"
 #include "tests/booleans/lattice_sets.h"
 #include "tests/booleans/support.h"
+#include "tests/booleans/surface/position.h"
 
 namespace quoin::booleans::testing {
 namespace {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/booleans/support.h"
+#include "tests/booleans/surface/position.h"
 
 namespace quoin::booleans::testing {
 namespace {
