@@ -132,17 +132,17 @@ exact::Plane kept_plane(const Making& m, OperandId o, std::uint32_t face) {
   return is_turned(m, o, face) ? plane.opposite() : plane;
 }
 
-/// add(loop) for every loop of a polygon that stays, turned as it stays, with its corners as corner_of(v).
-template <class CornerOf, class Add>
-void for_kept_loops(const Making& m, OperandId o, std::uint32_t face, CornerOf corner_of, Add add) {
+/// Adds every loop of a polygon that stays to `loops`, turned as it stays, with its corners as corner_of(v).
+template <class Loops, class CornerOf>
+void add_kept_loops(const Making& m, OperandId o, std::uint32_t face, CornerOf corner_of, Loops& loops) {
   const Body& body = m.a.operands[o];
   const bool turned = is_turned(m, o, face);
-  std::vector<std::uint32_t> corners;
+  std::vector<decltype(corner_of(0))> corners;
   body.polygons.for_loops(body.polygon(face), [&](std::span<const std::uint32_t> loop) {
     corners.clear();
     for (const std::uint32_t v : loop) corners.push_back(corner_of(v));
     if (turned) std::reverse(corners.begin(), corners.end());
-    add(std::span<const std::uint32_t>(corners));
+    loops.add_loop(corners);
   });
 }
 
@@ -182,9 +182,8 @@ void copy_polygon(Making& m, OperandId o, std::uint32_t face, std::vector<Polygo
     near.push_back({o, face});
     return;
   }
-  for_kept_loops(
-      m, o, face, [&](std::uint32_t v) { return m.corner(m.vertices.named(o, v)); },
-      [&](std::span<const std::uint32_t> loop) { m.body.polygons.add_loop(loop); });
+  add_kept_loops(
+      m, o, face, [&](std::uint32_t v) { return m.corner(m.vertices.named(o, v)); }, m.body.polygons);
   m.close_polygon(kept_plane(m, o, face));
 }
 
@@ -205,9 +204,8 @@ void copy_polygons(Making& m) {
   for (const std::uint32_t f : m.changed)
     if (f >= m.a.operands[m.host].triangles.size()) copy_polygon(m, m.host, f, near);
   for (const auto& [o, face] : near) {
-    for_kept_loops(
-        m, o, face, [&, o = o](std::uint32_t v) { return m.vertices.place(o, v).value; },
-        [&](std::span<const std::uint32_t> loop) { m.waiting.loops.add_loop(loop); });
+    add_kept_loops(
+        m, o, face, [&, o = o](std::uint32_t v) { return m.vertices.place(o, v); }, m.waiting.loops);
     m.waiting.close(kept_plane(m, o, face));
   }
 }

@@ -5,10 +5,10 @@ namespace {
 
 /// Adds the merged regions of all sheets to what waits.
 void add_regions(Making& m) {
-  const Regions merged = merged_regions(m.a, m.selection);
+  const Regions<VertexId> merged = merged_regions(m.a, m.selection);
   for (std::size_t i = 0; i < merged.size(); ++i) {
-    merged.loops.for_loops(i, [&](std::span<const std::uint32_t> loop) {
-      for (const std::uint32_t v : loop) m.waiting.loops.corners.push_back(m.vertices.place_of_table(v).value);
+    merged.loops.for_loops(i, [&](std::span<const VertexId> loop) {
+      for (const VertexId v : loop) m.waiting.loops.corners.push_back(m.vertices.place_of_table(v));
       m.waiting.loops.end_loop();
     });
     m.waiting.close(merged.planes[i]);
@@ -28,19 +28,19 @@ void add_neighbour(ResultVertices::Place& place, PlaceId q) {
 
 /// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
 /// through both of its edges, so both lie on the line of their planes.
-Regions without_straight_vertices(Making& m) {
+Regions<PlaceId> without_straight_vertices(Making& m) {
   auto& places = m.vertices.places();
   for (std::size_t r = 0; r < m.waiting.size(); ++r)
-    m.waiting.loops.for_edges(r, [&](std::uint32_t p, std::uint32_t q) {
+    m.waiting.loops.for_edges(r, [&](PlaceId p, PlaceId q) {
       add_neighbour(places[p], q);
       add_neighbour(places[q], p);
     });
 
-  Regions kept;
+  Regions<PlaceId> kept;
   for (std::size_t r = 0; r < m.waiting.size(); ++r) {
-    m.waiting.loops.for_loops(r, [&](std::span<const std::uint32_t> loop) {
+    m.waiting.loops.for_loops(r, [&](std::span<const PlaceId> loop) {
       const std::size_t before = kept.loops.corners.size();
-      for (const std::uint32_t p : loop)
+      for (const PlaceId p : loop)
         if (loop.size() == 1 ? places[p].used : places[p].fixed) kept.loops.corners.push_back(p);
       if (kept.loops.corners.size() > before) kept.loops.end_loop();
     });
@@ -50,11 +50,11 @@ Regions without_straight_vertices(Making& m) {
 }
 
 /// Gives the places that regions have their ids, grid points first.
-ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions& regions) {
+ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions<PlaceId>& regions) {
   auto& places = m.vertices.places();
   ById<PlaceId, std::uint32_t> id(places.size(), none);
   ById<PlaceId, std::uint8_t> needed(places.size());
-  for (const std::uint32_t p : regions.loops.corners) needed[p] = 1;
+  for (const PlaceId p : regions.loops.corners) needed[p] = 1;
 
   for (const bool grid : {true, false})
     for (const PlaceId i : Ids<PlaceId>(places.size())) {
@@ -68,18 +68,18 @@ ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions& regions) {
 }
 
 /// Writes regions as faces; triangles between grid points are raw.
-void write(Making& m, const Regions& regions, const ById<PlaceId, std::uint32_t>& id) {
+void write(Making& m, const Regions<PlaceId>& regions, const ById<PlaceId, std::uint32_t>& id) {
   Body& body = m.body;
   const auto grid_count = static_cast<std::uint32_t>(body.grid_points.size());
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const auto corners = regions.loops.corners_of(i);
     if (regions.loops.loop_count(i) == 1 && corners.size() == 3 &&
-        std::all_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return id[p] < grid_count; })) {
+        std::all_of(corners.begin(), corners.end(), [&](PlaceId p) { return id[p] < grid_count; })) {
       body.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
       continue;
     }
-    regions.loops.for_loops(i, [&](std::span<const std::uint32_t> loop) {
-      for (const std::uint32_t p : loop) body.polygons.corners.push_back(id[p]);
+    regions.loops.for_loops(i, [&](std::span<const PlaceId> loop) {
+      for (const PlaceId p : loop) body.polygons.corners.push_back(id[p]);
       body.polygons.end_loop();
     });
     m.close_polygon(regions.planes[i]);
@@ -90,7 +90,7 @@ void write(Making& m, const Regions& regions, const ById<PlaceId, std::uint32_t>
 
 void join_regions(Making& m) {
   add_regions(m);
-  const Regions regions = without_straight_vertices(m);
+  const Regions<PlaceId> regions = without_straight_vertices(m);
   const auto id = numbered(m, regions);
 
   if (m.host == none)

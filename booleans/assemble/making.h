@@ -13,8 +13,8 @@ struct Making {
   OperandId host;  // whose lists the body shares, none when it shares none
   Body body;
   ResultVertices vertices;
-  /// Faces that wait until all are known: their corners are places (PlaceId).
-  Regions waiting;
+  /// Faces that wait until all are known.
+  Regions<PlaceId> waiting;
   /// Untouched faces of the host that stay, but not as they are; own numbers.
   std::vector<std::uint32_t> changed;
   /// Of copied faces; polygons count from the first polygon.

@@ -13,7 +13,7 @@ class Merger {
  public:
   Merger(const Arrangement& a, const Selection& selection) : a_(a), s_(selection) {}
 
-  Regions regions;
+  Regions<VertexId> regions;
 
   void merge(SheetId sheet) {
     sheet_ = &a_.sheets[sheet];
@@ -35,7 +35,7 @@ class Merger {
       });
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const Loop& l = loops_[i];
-      regions.loops.add_loop(std::span(corners_).subspan(l.begin, l.end - l.begin));
+      regions.loops.add_loop(std::span<const VertexId>(corners_).subspan(l.begin, l.end - l.begin));
       if (i + 1 < loops_.size() && loops_[i + 1].region == l.region) continue;
       const exact::Plane& p = a_.names.planes[sheet_->plane];
       regions.close(kept_[l.facet.value] > 0 ? p : p.opposite());
@@ -79,7 +79,7 @@ class Merger {
       const std::size_t begin = corners_.size();
       for (std::uint32_t g = h; !done_[g];) {
         done_[g] = 1;
-        corners_.push_back(sheet_->origin(g).value);
+        corners_.push_back(sheet_->origin(g));
         g = sheet_->clockwise[g ^ 1];
         while (kept(g) != 0 && cancelled(g)) g = sheet_->clockwise[g];
       }
@@ -91,7 +91,7 @@ class Merger {
   /// Vertices inside a kept region that it does not list: they stay where other faces end in them.
   void add_touching_points() {
     const auto add = [&](FacetId facet, VertexId vertex) {
-      corners_.push_back(vertex.value);
+      corners_.push_back(vertex);
       close_loop(facet, corners_.size() - 1);
     };
     for (const Sheet::Isolated& i : sheet_->isolated)
@@ -117,21 +117,21 @@ class Merger {
   std::vector<std::uint32_t> region_of_;   // per group
   std::uint32_t count_ = 0;                // of regions
   std::vector<Loop> loops_;
-  std::vector<std::uint32_t> corners_;
+  std::vector<VertexId> corners_;
   std::vector<std::uint8_t> done_;  // per half-edge
 };
 
 }  // namespace
 
-Regions merged_regions(const Arrangement& a, const Selection& selection) {
+Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selection) {
   const std::size_t length = grid::stretch(256);
-  std::vector<Regions> parts(a.sheets.size() / length + 1);
+  std::vector<Regions<VertexId>> parts(a.sheets.size() / length + 1);
   grid::in_stretches(a.sheets.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     Merger merger(a, selection);
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) merger.merge(i);
     parts[s] = std::move(merger.regions);
   });
-  Regions all = std::move(parts[0]);
+  Regions<VertexId> all = std::move(parts[0]);
   for (std::size_t s = 1; s < parts.size(); ++s) {
     all.loops.append(parts[s].loops);
     all.planes.insert(all.planes.end(), parts[s].planes.begin(), parts[s].planes.end());

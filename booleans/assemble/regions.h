@@ -8,9 +8,10 @@
 namespace quoin::booleans {
 
 /// Polygons in the making, one after the other.
+template <class Corner>
 struct Regions {
   std::vector<exact::Plane> planes;  // one a region, outwards
-  grid::Loops<std::uint32_t> loops;
+  grid::Loops<Corner> loops;
 
   std::size_t size() const { return planes.size(); }
   /// The loops that were added since the last region make one.
@@ -21,7 +22,7 @@ struct Regions {
 };
 
 /// Kept facets of each sheet that hang together over elements at which exactly two kept facets meet. A loop of one
-/// corner is a vertex inside the region. Corners are table ids; regions come in the order of the sheets.
-Regions merged_regions(const Arrangement& a, const Selection& selection);
+/// corner is a vertex inside the region. Regions come in the order of the sheets.
+Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selection);
 
 }  // namespace quoin::booleans
