@@ -6,6 +6,7 @@
 #include "booleans/pairs/box_tree.h"
 #include "booleans/surface/triangulated.h"
 #include "exact/rational.h"
+#include "grid/lists/loops.h"
 #include "grid/shells.h"
 
 namespace quoin::booleans {
@@ -50,7 +51,7 @@ bool has_area(const FlatPolygon& polygon) {
 FlatPolygon left_part(const FlatPolygon& polygon, const FlatPoint& a, const FlatPoint& b) {
   FlatPolygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const FlatPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const FlatPoint &p = polygon[i], &q = polygon[grid::next_in_loop(i, polygon.size())];
     const Rational at_p = turn(a, b, p), at_q = turn(a, b, q);
     if (at_p >= 0) kept.push_back(p);
     if (at_p.sign() * at_q.sign() >= 0) continue;
@@ -62,7 +63,7 @@ FlatPolygon left_part(const FlatPolygon& polygon, const FlatPoint& a, const Flat
 
 FlatPolygon common_part(const FlatPolygon& t, const FlatPolygon& u) {
   FlatPolygon common = t;
-  for (std::size_t i = 0; i < u.size(); ++i) common = left_part(common, u[i], u[(i + 1) % u.size()]);
+  grid::for_loop_edges(u, [&](const FlatPoint& a, const FlatPoint& b) { common = left_part(common, a, b); });
   return common;
 }
 
@@ -71,7 +72,7 @@ void subtract(std::vector<FlatPolygon>& pieces, const FlatPolygon& t) {
   std::vector<FlatPolygon> left;
   for (FlatPolygon& piece : pieces)
     for (std::size_t i = 0; i < t.size() && has_area(piece); ++i) {
-      const FlatPoint &a = t[i], &b = t[(i + 1) % t.size()];
+      const FlatPoint &a = t[i], &b = t[grid::next_in_loop(i, t.size())];
       if (FlatPolygon outside = left_part(piece, b, a); has_area(outside)) left.push_back(std::move(outside));
       piece = left_part(piece, a, b);
     }

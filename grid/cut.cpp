@@ -3,6 +3,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "grid/lists/loops.h"
 #include "grid/seal.h"
 
 namespace quoin::grid {
@@ -89,11 +90,12 @@ bool Cutter::project(std::span<const std::uint32_t> corners) {
 /// Every turn is to the left, and the edges' directions go around once: they change between up and down twice.
 bool Cutter::strictly_convex() const {
   const std::size_t n = flat_points_.size();
-  const auto at = [&](std::size_t i) -> const FlatPoint& { return flat_points_[i < n ? i : i - n]; };
   int changes = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (area(at(i), at(i + 1), at(i + 2)) <= 0) return false;
-    if (direction(at(i), at(i + 1)) != direction(at(i + 1), at(i + 2))) ++changes;
+    const std::size_t j = next_in_loop(i, n);
+    const FlatPoint &p = flat_points_[i], &q = flat_points_[j], &r = flat_points_[next_in_loop(j, n)];
+    if (area(p, q, r) <= 0) return false;
+    if (direction(p, q) != direction(q, r)) ++changes;
   }
   return changes == 2;
 }
@@ -118,8 +120,8 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
   next_.resize(n);
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < n; ++i) {
-    previous_[i] = i == 0 ? n - 1 : i - 1;
-    next_[i] = i == n - 1 ? 0 : i + 1;
+    previous_[i] = previous_in_loop(i, n);
+    next_[i] = next_in_loop(i, n);
     if (area(flat_points_[previous_[i]], flat_points_[i], flat_points_[next_[i]]) <= 0) members.push_back(i);
   }
   blockers_.build(flat_points_, std::move(members));

@@ -8,6 +8,7 @@
 
 #include "grid/balance.h"
 #include "grid/cut.h"
+#include "grid/lists/loops.h"
 #include "grid/lists/stretches.h"
 #include "grid/seal.h"
 #include "grid/shells.h"
@@ -192,7 +193,7 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
   for (std::size_t i = 0; i < f.count(); ++i) {
     const auto face = f.face(i);
     for (std::size_t j = 0; j < face.size(); ++j) {
-      const std::uint32_t a = face[j], b = face[j + 1 < face.size() ? j + 1 : 0];
+      const std::uint32_t a = face[j], b = face[next_in_loop(j, face.size())];
       if (!(ids.empty() ? is_open(a, b) : is_open(ids[a], ids[b]))) continue;
       error.where = "face " + std::to_string(i) + ", edge " + describe_point(&f.points[3 * std::size_t{a}]) + " - " +
                     describe_point(&f.points[3 * std::size_t{b}]);

@@ -164,11 +164,10 @@ namespace {
 template <class Side, class Crossing>
 std::vector<std::uint32_t> clipped_loop(const std::array<std::uint32_t, 4>& quad, Side side, Crossing crossing) {
   std::vector<std::uint32_t> loop;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint32_t u = quad[i], v = quad[(i + 1) % 4];
+  grid::for_loop_edges(quad, [&](std::uint32_t u, std::uint32_t v) {
     if (side(u) <= 0) loop.push_back(u);
     if (side(u) * side(v) < 0) loop.push_back(crossing(u, v));
-  }
+  });
   return loop;
 }
 
@@ -216,11 +215,10 @@ Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, con
     if (!solid) continue;
 
     emit(box.plane(static_cast<std::uint32_t>(2 * f)), loop);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const std::uint32_t u = loop[i], v = loop[(i + 1) % loop.size()];
-      const auto on = [&](std::uint32_t w) { return w >= 8 || sides[w] == 0; };
+    const auto on = [&](std::uint32_t v) { return v >= 8 || sides[v] == 0; };
+    grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) {
       if (on(u) && on(v)) cap.push_back({v, u});
-    }
+    });
   }
 
   std::vector<std::uint32_t> loop{cap[0][0]};

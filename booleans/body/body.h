@@ -91,7 +91,7 @@ struct Body {
   template <class Visit>
   void for_edges(std::uint32_t face, Visit&& visit) const {
     if (face < triangles.size())
-      grid::for_loop_edges(std::span<const std::uint32_t>(triangles[face]), visit);
+      grid::for_loop_edges(triangles[face], visit);
     else
       polygons.for_edges(polygon(face), visit);
   }

@@ -289,7 +289,7 @@ void find_successors(std::span<const HalfEdge> face, const Directions& direction
 void rotate_to_least(std::span<std::uint32_t> loop) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
-    const auto key = [&](std::size_t k) { return std::pair(loop[k], loop[(k + 1) % loop.size()]); };
+    const auto key = [&](std::size_t k) { return std::pair(loop[k], loop[grid::next_in_loop(k, loop.size())]); };
     if (key(i) < key(best)) best = i;
   }
   std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(best), loop.end());

@@ -2,6 +2,7 @@
 
 #include "booleans/body/around_edge.h"
 #include "booleans/classify/seeds.h"
+#include "grid/lists/loops.h"
 #include "grid/lists/partition.h"
 
 namespace quoin::booleans {
@@ -28,7 +29,7 @@ void spread_over_fans(const Arrangement& a, grid::Partition& sides) {
     for (std::uint32_t i = 0; i < uses.size(); ++i) order.push_back(i);
     if (order.size() > 2) sort_around_edge(a, uses, order);
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const Use &u = uses[order[i]], &v = uses[order[i + 1 < order.size() ? i + 1 : 0]];
+      const Use &u = uses[order[i]], &v = uses[order[grid::next_in_loop(i, order.size())]];
       sides.unite(after(u).value, before(v).value);
     }
   });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/predicates.h"
+#include "grid/lists/loops.h"
 #include "grid/lists/thresholds.h"
 
 namespace quoin::booleans {
@@ -112,7 +113,7 @@ std::vector<Sector> sectors(const Body& mesh, const Fan& fan) {
 bool is_embedded(const Body& mesh, const Fan& flat) {
   const std::vector<Sector> around = sectors(mesh, flat);
   for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i) {
-    const Sector &s = around[i], &next = around[(i + 1) % around.size()];
+    const Sector &s = around[i], &next = around[grid::next_in_loop(i, around.size())];
     const std::int64_t after_begin = cross(s.from, next.from), before_end = cross(next.from, s.to);
     if (after_begin >= 0 && before_end > 0) return false;
     const bool at_end = before_end == 0 && after_begin > 0;

@@ -9,6 +9,7 @@
 #include "booleans/body/fans.h"
 #include "booleans/surface/corners.h"
 #include "grid/lists/buckets.h"
+#include "grid/lists/loops.h"
 #include "grid/lists/partition.h"
 #include "grid/lists/stretches.h"
 
@@ -89,10 +90,9 @@ std::vector<std::uint32_t> around_edge(const Body& body, const ManyFans& part,
 /// runs backward, and before one that runs forward.
 std::vector<Joint> joints_by_wedges(const ManyFans& part, const std::vector<std::uint32_t>& around) {
   std::vector<Joint> joints;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const std::uint32_t a = around[i], b = around[i + 1 < around.size() ? i + 1 : 0];
+  grid::for_loop_edges(around, [&](std::uint32_t a, std::uint32_t b) {
     if (!part.is_forward(a) && part.is_forward(b)) joints.push_back({a, b});
-  }
+  });
   return joints;
 }
 

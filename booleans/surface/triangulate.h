@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "grid/lists/loops.h"
+
 namespace quoin::booleans {
 
 /// A boundary edge (from, to); the face's interior is on its left. A slit is present in both directions.
@@ -340,7 +342,8 @@ bool triangulate_convex(const Points& points, const Scratch<std::uint32_t>& loop
   const std::size_t count = loop.size();
   if (count < 3) return false;
   for (std::size_t i = 0; count > 3 && i < count; ++i) {
-    if (points.orientation(loop[i], loop[(i + 1) % count], loop[(i + 2) % count]) <= 0) return false;
+    const std::size_t next = grid::next_in_loop(i, count), last = grid::next_in_loop(next, count);
+    if (points.orientation(loop[i], loop[next], loop[last]) <= 0) return false;
   }
   std::size_t low = 0, high = count - 1;
   for (bool from_low = true; high - low > 1; from_low = !from_low) {

@@ -2,6 +2,7 @@
 /// Faces with loops of corners: the one form in which faces are kept.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,9 +10,20 @@
 
 namespace quoin::grid {
 
-/// visit(u, v) for every directed edge of a closed loop; a loop of one corner has none.
-template <class Corner, class Visit>
-void for_loop_edges(std::span<const Corner> loop, Visit&& visit) {
+/// The place after place i of a closed loop of n corners; that after the last is 0. Precondition: i < n.
+template <std::unsigned_integral Index>
+constexpr Index next_in_loop(Index i, Index n) {
+  return i + 1 < n ? i + 1 : 0;
+}
+/// The place before place i; that before 0 is the last. Precondition: i < n.
+template <std::unsigned_integral Index>
+constexpr Index previous_in_loop(Index i, Index n) {
+  return i > 0 ? i - 1 : n - 1;
+}
+
+/// visit(u, v) for every directed edge of a closed loop, a list of corners; a loop of one corner has none.
+template <class Loop, class Visit>
+void for_loop_edges(const Loop& loop, Visit&& visit) {
   if (loop.size() < 2) return;
   for (std::size_t i = 0; i + 1 < loop.size(); ++i) visit(loop[i], loop[i + 1]);
   visit(loop.back(), loop.front());

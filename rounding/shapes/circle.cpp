@@ -3,6 +3,7 @@
 #include <cassert>
 #include <map>
 
+#include "grid/lists/loops.h"
 #include "rounding/numbers/enclosure.h"
 
 namespace quoin::rounding {
@@ -56,11 +57,10 @@ Rational scale_to_equal_area(const Outline& p) {
 /// The polygon of the tangents in these points of the unit circle: those in a and b meet in (a + b) / (1 + a . b).
 Outline of_tangents(const Outline& touching) {
   Outline p;
-  for (std::size_t i = 0; i < touching.size(); ++i) {
-    const PlanePoint &a = touching[i], &b = touching[(i + 1) % touching.size()];
+  grid::for_loop_edges(touching, [&](const PlanePoint& a, const PlanePoint& b) {
     const Rational divisor = 1 + a[0] * b[0] + a[1] * b[1];
     p.push_back({(a[0] + b[0]) / divisor, (a[1] + b[1]) / divisor});
-  }
+  });
   return p;
 }
 

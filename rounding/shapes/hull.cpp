@@ -134,8 +134,8 @@ class Hull {
       const std::vector<Index> corners = outline(f, done);
       const std::size_t n = corners.size();
       for (std::size_t i = 0; i < n; ++i) {
-        const Vector &a = points_[corners[(i + n - 1) % n]], &b = points_[corners[i]],
-                     &c = points_[corners[(i + 1) % n]];
+        const Vector &a = points_[corners[grid::previous_in_loop(i, n)]], &b = points_[corners[i]],
+                     &c = points_[corners[grid::next_in_loop(i, n)]];
         const Vector u = b - a, v = c - b;
         if (dot(u, u) * dot(v, v) == dot(u, v) * dot(u, v)) continue;
         Index& at = id[corners[i]];

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "grid/lists/loops.h"
 #include "rounding/shapes/polyhedron.h"
 
 namespace quoin::rounding {
@@ -14,7 +15,7 @@ PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a[0] - 
 
 Rational doubled_area(std::span<const PlanePoint> outline) {
   Rational sum = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) sum += cross(outline[i], outline[(i + 1) % outline.size()]);
+  grid::for_loop_edges(outline, [&](const PlanePoint& a, const PlanePoint& b) { sum += cross(a, b); });
   return sum;
 }
 
@@ -28,7 +29,7 @@ std::optional<Outline> without_straight_corners(Outline loop) {
   Outline r;
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const PlanePoint in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
+    const PlanePoint in = loop[i] - loop[grid::previous_in_loop(i, n)], out = loop[grid::next_in_loop(i, n)] - loop[i];
     if (cross(in, out) != 0)
       r.push_back(loop[i]);
     else if (in[0] * out[0] + in[1] * out[1] <= 0)
@@ -54,7 +55,8 @@ bool meet(const Side& a, const Side& b) {
       std::max(b.from[1], b.to[1]) < std::min(a.from[1], a.to[1]))
     return false;
 
-  if (a.loop == b.loop && ((a.at + 1) % a.count == b.at || (b.at + 1) % b.count == a.at)) return false;
+  const auto precedes = [](const Side& s, const Side& t) { return grid::next_in_loop(s.at, s.count) == t.at; };
+  if (a.loop == b.loop && (precedes(a, b) || precedes(b, a))) return false;
 
   const int p = orientation(a.from, a.to, b.from), q = orientation(a.from, a.to, b.to);
   const int r = orientation(b.from, b.to, a.from), s = orientation(b.from, b.to, a.to);
@@ -65,9 +67,11 @@ bool meet(const Side& a, const Side& b) {
 /// Where two outlines meet or one meets itself; by a sweep over the sides' extents along x.
 std::optional<Error> crossing_fault(const std::vector<Outline>& loops) {
   std::vector<Side> sides;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (std::size_t i = 0; i < loops[l].size(); ++i)
-      sides.push_back({loops[l][i], loops[l][(i + 1) % loops[l].size()], l, i, loops[l].size()});
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const Outline& loop = loops[l];
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) sides.push_back({loop[i], loop[grid::next_in_loop(i, n)], l, i, n});
+  }
 
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.low() < b.low(); });
   std::vector<const Side*> active;
@@ -85,10 +89,9 @@ std::optional<Error> crossing_fault(const std::vector<Outline>& loops) {
 /// Precondition: p is on no side.
 bool is_inside(const PlanePoint& p, const Outline& loop) {
   bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const PlanePoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
+  grid::for_loop_edges(loop, [&](const PlanePoint& a, const PlanePoint& b) {
     if ((a[1] > p[1]) != (b[1] > p[1])) inside ^= (orientation(a, b, p) > 0) == (b[1] > a[1]);
-  }
+  });
   return inside;
 }
 

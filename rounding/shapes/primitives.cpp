@@ -48,7 +48,7 @@ Index add_ring(Polyhedron& p, std::span<const PlanePoint> ring, const Rational& 
 /// Four-sided faces between two rings of `count` points, counter-clockwise seen from outside.
 void add_band(Polyhedron& p, Index low, Index high, Index count) {
   for (Index i = 0; i < count; ++i) {
-    const Index j = (i + 1) % count;
+    const Index j = grid::next_in_loop(i, count);
     p.add_face(std::array{low + i, low + j, high + j, high + i});
   }
 }
@@ -56,7 +56,7 @@ void add_band(Polyhedron& p, Index low, Index high, Index count) {
 /// Triangles between a ring and a point above (+1) or below (-1).
 void add_fan(Polyhedron& p, Index ring, Index apex, Index count, int side) {
   for (Index i = 0; i < count; ++i) {
-    const Index j = (i + 1) % count;
+    const Index j = grid::next_in_loop(i, count);
     p.add_face(side > 0 ? std::array{ring + i, ring + j, apex} : std::array{ring + j, ring + i, apex});
   }
 }
@@ -173,7 +173,7 @@ Result<Polyhedron> torus(const Rational& major, const Rational& minor, std::uint
     add_ring(p, ring, v[1]);
   }
 
-  for (Index k = 0; k < minor_sides; ++k) add_band(p, k * sides, (k + 1) % minor_sides * sides, sides);
+  for (Index k = 0; k < minor_sides; ++k) add_band(p, k * sides, grid::next_in_loop(k, minor_sides) * sides, sides);
   return p;
 }
 
