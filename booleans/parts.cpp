@@ -32,9 +32,7 @@ void sort_in_space(std::span<Member> members) {
       low[k] = std::min(low[k], middle(m.box, k));
       high[k] = std::max(high[k], middle(m.box, k));
     }
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (high[i] - low[i] > high[k] - low[k]) k = i;
+  const std::size_t k = exact::longest_component(std::array{high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   std::size_t half = group_size();
   while (2 * half < members.size()) half *= 2;
   const auto split = members.begin() + static_cast<std::ptrdiff_t>(half);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/geometry.h"
+
 namespace quoin::grid {
 
 /// A grid point seen along a coordinate axis.
@@ -78,7 +80,8 @@ class Blockers {
       }
     nodes_.push_back(node);
     if (end - begin <= leaf_size) return index;
-    const std::size_t k = std::int64_t{node.high[0]} - node.low[0] < std::int64_t{node.high[1]} - node.low[1] ? 1 : 0;
+    const std::size_t k = exact::longest_component(
+        std::array{std::int64_t{node.high[0]} - node.low[0], std::int64_t{node.high[1]} - node.low[1]});
     const std::uint32_t middle = begin + (end - begin) / 2;
     std::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end,
                      [&](std::uint32_t i, std::uint32_t j) {

@@ -76,10 +76,7 @@ bool Cutter::project(std::span<const std::uint32_t> corners) {
     add_cross(normal, difference(points_[corners[i - 1]], p), difference(points_[corners[i]], p));
   flat_ = normal == Vector{};
   if (flat_) return is_planar_without_area(points_, corners);
-  std::size_t axis = 0;
-  const auto magnitude = [&](std::size_t k) { return normal[k] < 0 ? -normal[k] : normal[k]; };
-  for (std::size_t k = 1; k < 3; ++k)
-    if (magnitude(k) > magnitude(axis)) axis = k;
+  const std::size_t axis = exact::longest_component(normal);
   std::size_t first = (axis + 1) % 3, second = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(first, second);
   flat_points_.clear();

@@ -116,10 +116,10 @@ int VertexTable::exact_side(VertexId v, const exact::Plane& p) const {
 }
 
 int VertexTable::compare_along(int k, VertexId u, VertexId v) const {
-  const double a = approximations_[u][static_cast<std::size_t>(k)], b = approximations_[v][static_cast<std::size_t>(k)];
-  if (a != b) return a < b ? -1 : 1;
-  if (u == v || (is_grid(u) && is_grid(v))) return 0;
-  return exact::compare_along(k, point(u), point(v));
+  const auto i = static_cast<std::size_t>(k);
+  return exact::compare_rounded(approximations_[u][i], approximations_[v][i], [&] {
+    return u == v || (is_grid(u) && is_grid(v)) ? 0 : exact::compare_along(k, point(u), point(v));
+  });
 }
 
 int VertexTable::compare_lexicographic(VertexId u, VertexId v) const {

@@ -116,11 +116,10 @@ std::vector<PointInFace> touching_points(const Body& body, std::span<const HalfE
 // 4. Order of the vertices
 
 int compare_along(const Body& body, int k, std::uint32_t u, std::uint32_t v) {
-  const double a = body.approximation(u)[static_cast<std::size_t>(k)],
-               b = body.approximation(v)[static_cast<std::size_t>(k)];
-  if (a != b) return a < b ? -1 : 1;
-  if (u == v || (body.is_grid(u) && body.is_grid(v))) return 0;
-  return exact::compare_along(k, body.point(u), body.point(v));
+  const auto i = static_cast<std::size_t>(k);
+  return exact::compare_rounded(body.approximation(u)[i], body.approximation(v)[i], [&] {
+    return u == v || (body.is_grid(u) && body.is_grid(v)) ? 0 : exact::compare_along(k, body.point(u), body.point(v));
+  });
 }
 
 /// The needed vertices by exact position.
