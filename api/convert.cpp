@@ -118,10 +118,10 @@ Fault move_body(const Map& map, Body& body) {
 }
 
 /// Grid points may become derived ones: triangles become the maximal faces they are parts of.
-Fault move_form(const Map& map, booleans::Canonical& form) {
+Fault move_boundary(const Map& map, booleans::Boundary& boundary) {
   Mover mover(map);
-  for (auto& p : form.vertices) p = mover.point(p);
-  for (auto& p : form.planes) p = mover.plane(p);
+  for (auto& p : boundary.vertices) p = mover.point(p);
+  for (auto& p : boundary.planes) p = mover.plane(p);
   return mover.fault();
 }
 
@@ -132,9 +132,9 @@ Fault moved(const Body& body, const Map& map, std::optional<Body>& result) {
     result = body;
     fault = move_body(map, *result);
   } else {
-    auto form = booleans::canonical(body);
-    fault = move_form(map, form);
-    if (fault == Fault::none) result = booleans::body_of(form);
+    booleans::Boundary boundary = booleans::canonical(body);
+    fault = move_boundary(map, boundary);
+    if (fault == Fault::none) result = booleans::body_of(boundary);
   }
   if (fault != Fault::none) result.reset();
   return fault;

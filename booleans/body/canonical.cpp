@@ -357,7 +357,7 @@ Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const Hal
 // 6. Order of the faces
 
 /// Faces by plane, those on one plane by their loops: no two have a loop in common, so the first decides.
-Canonical in_order(const Boundary& traced) {
+Boundary in_order(const Boundary& traced) {
   std::vector<std::uint32_t> order(traced.face_count());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
@@ -366,7 +366,7 @@ Canonical in_order(const Boundary& traced) {
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   });
 
-  Canonical r;
+  Boundary r;
   r.planes.reserve(order.size());
   r.faces.reserve(order.size(), traced.faces.loop_count(), traced.faces.corners.size());
   for (const std::uint32_t f : order) {
@@ -393,11 +393,11 @@ Canonical canonical(const Body& body) {
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
 
   const HalfEdges by_face = face_edges(edges, merged, body.face_count());
-  Canonical form = in_order(traced_faces(body, edges, by_face, points, rank));
+  Boundary form = in_order(traced_faces(body, edges, by_face, points, rank));
   form.full_at_infinity = body.full_at_infinity;
   form.vertices.reserve(order.size());
   for (const std::uint32_t v : order) form.vertices.push_back(reduced(body.point(v)));
-  return form;
+  return Canonical(std::move(form));
 }
 
 }  // namespace quoin::booleans

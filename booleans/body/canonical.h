@@ -2,6 +2,8 @@
 /// The one form of a point set: maximal faces, maximal edges, only the vertices that must be, all in canonical order.
 #pragma once
 
+#include <utility>
+
 #include "booleans/body/boundary.h"
 
 namespace quoin::booleans {
@@ -14,7 +16,11 @@ namespace quoin::booleans {
 /// a slit, run along both ways. Planes and points are reduced. Order: vertices by exact (x, y, z); a loop starts at its
 /// smallest half-edge (origin, target); the loop of a face with its smallest vertex comes first, then the others by
 /// their corners; faces by plane (a, b, c, d), then by their loops.
-struct Canonical : Boundary {};
+/// Only `canonical` makes one; what is to be changed is kept as a Boundary.
+class Canonical : public Boundary {
+  friend Canonical canonical(const Body& body);
+  explicit Canonical(Boundary&& form) : Boundary(std::move(form)) {}
+};
 
 /// Precondition: a clean body (B1 - B4).
 Canonical canonical(const Body& body);

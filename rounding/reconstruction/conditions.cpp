@@ -31,22 +31,22 @@ exact::Point in_grid_form(const exact::Point& p) {
 
 }  // namespace
 
-std::optional<Violation> meet_vertices(const Trihedral& t, int turn, booleans::Canonical& form) {
+std::optional<Violation> meet_vertices(const Trihedral& t, int turn, booleans::Boundary& boundary) {
   for (std::uint32_t v = 0; v < t.faces.size(); ++v) {
     const auto& [f, g, h] = t.faces[v];
-    const exact::Plane &p = form.planes[f], &q = form.planes[g], &r = form.planes[h];
+    const exact::Plane &p = boundary.planes[f], &q = boundary.planes[g], &r = boundary.planes[h];
     if (exact::turn(p, q, r) != turn * t.sign[v])
       return Violation{Violation::Kind::shape, v, h, "three planes that meet in a vertex would turn round"};
 
-    form.vertices.push_back(in_grid_form(*exact::meet(p, q, r)));
-    if (!in_world(form.vertices.back())) return Violation{Violation::Kind::world, v, booleans::none, {}};
+    boundary.vertices.push_back(in_grid_form(*exact::meet(p, q, r)));
+    if (!in_world(boundary.vertices.back())) return Violation{Violation::Kind::world, v, booleans::none, {}};
   }
   return std::nullopt;
 }
 
-std::optional<Violation> order_violation(const Trihedral& t, const booleans::Canonical& form) {
+std::optional<Violation> order_violation(const Trihedral& t, const booleans::Boundary& boundary) {
   for (const Trihedral::Order& order : t.orders)
-    if (exact::side(form.planes[order.face], form.vertices[order.from]) != order.side)
+    if (exact::side(boundary.planes[order.face], boundary.vertices[order.from]) != order.side)
       return Violation{Violation::Kind::shape, order.from, order.face,
                        "the vertices of an edge would change their order"};
   return std::nullopt;

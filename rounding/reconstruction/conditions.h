@@ -7,7 +7,7 @@
 #include <string>
 
 #include "booleans/body/body.h"
-#include "booleans/body/canonical.h"
+#include "booleans/body/boundary.h"
 #include "rounding/shapes/trihedral.h"
 
 namespace quoin::rounding {
@@ -22,11 +22,11 @@ struct Violation {
   std::string what = {};
 };
 
-/// Appends the vertices in which the form's planes meet, up to the first that breaks C1 or lies beyond the world.
+/// Appends the vertices in which the boundary's planes meet, up to the first that breaks C1 or lies beyond the world.
 /// `turn` is -1 for a mirror image, else 1.
-std::optional<Violation> meet_vertices(const Trihedral& t, int turn, booleans::Canonical& form);
+std::optional<Violation> meet_vertices(const Trihedral& t, int turn, booleans::Boundary& boundary);
 /// C2.
-std::optional<Violation> order_violation(const Trihedral& t, const booleans::Canonical& form);
+std::optional<Violation> order_violation(const Trihedral& t, const booleans::Boundary& boundary);
 /// C3.
 std::optional<Violation> crossing_violation(const booleans::Body& body);
 

@@ -24,10 +24,10 @@ Rational distance_above(const std::array<Integer, 3>& a, const std::array<Intege
   return Rational(sqrt(sum) + 1, Integer(1) << unit_bits);
 }
 
-Rational displacement_above(std::span<const Vector> points, const IntegerMap& map, const booleans::Canonical& form) {
+Rational displacement_above(std::span<const Vector> points, const IntegerMap& map, const booleans::Boundary& boundary) {
   Rational most = 0;
   for (std::size_t v = 0; v < points.size(); ++v)
-    most = std::max(most, distance_above(map(points[v], unit_bits), in_units(form.vertices[v])));
+    most = std::max(most, distance_above(map(points[v], unit_bits), in_units(boundary.vertices[v])));
   return most;
 }
 

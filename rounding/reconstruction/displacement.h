@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "booleans/body/canonical.h"
+#include "booleans/body/boundary.h"
 #include "rounding/motions/affine_map.h"
 
 namespace quoin::rounding {
@@ -16,7 +16,7 @@ constexpr unsigned unit_bits = 160;
 /// An upper bound of the distance of two points that are within half a unit in every coordinate of these; grid steps.
 Rational distance_above(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b);
 
-/// An upper bound of the distance of the form's vertices from where the map carries these points, one each.
-Rational displacement_above(std::span<const Vector> points, const IntegerMap& map, const booleans::Canonical& form);
+/// An upper bound of the distance of the boundary's vertices from where the map carries these points, one each.
+Rational displacement_above(std::span<const Vector> points, const IntegerMap& map, const booleans::Boundary& boundary);
 
 }  // namespace quoin::rounding

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "booleans/body/canonical.h"
+#include "booleans/body/boundary.h"
 #include "rounding/planes/plane_rounding.h"
 
 namespace quoin::rounding {
@@ -29,21 +29,21 @@ std::optional<exact::Point> point_of(const Vector& v) {
 std::optional<booleans::Body> exact_body(std::uint32_t placement, const Placement& p, CarriedPoints& points) {
   const PlaneRounder rounder;
   const IntegerMap back = inverse(IntegerMap(p.to_grid));
-  booleans::Canonical form;
+  booleans::Boundary boundary;
   for (const WidePlane& before : p.shape->polyhedron.planes) {
     const WidePlane plane = moved(before, back);
     if (!rounder.fits(plane)) return std::nullopt;
-    form.planes.push_back(*rounder.round(plane, Method::best));
+    boundary.planes.push_back(*rounder.round(plane, Method::best));
   }
 
   for (const Vector& v : points.of(placement)) {
     const auto q = point_of(v);
     if (!q) return std::nullopt;
-    form.vertices.push_back(*q);
+    boundary.vertices.push_back(*q);
   }
 
-  form.faces = placed_loops(p);
-  return booleans::body_of(form);
+  boundary.faces = placed_loops(p);
+  return booleans::body_of(boundary);
 }
 
 }  // namespace quoin::rounding

@@ -43,7 +43,7 @@ std::vector<bool> by_planes(std::span<const Placement> placements, bool by_verti
 
 /// The planes of a primitive's faces, and the vertices in which they meet.
 struct Attempt {
-  booleans::Canonical form;
+  booleans::Boundary boundary;
   booleans::Body body;
   std::optional<Violation> violation;
 };
@@ -52,14 +52,14 @@ struct Attempt {
 Attempt attempt(std::uint32_t i, const Placement& placement, const PlaneClasses& planes) {
   const Trihedral& t = *placement.shape->trihedral;
   Attempt a;
-  for (std::uint32_t f = 0; f < planes.faces[i].size(); ++f) a.form.planes.push_back(planes.rounded(i, f));
+  for (std::uint32_t f = 0; f < planes.faces[i].size(); ++f) a.boundary.planes.push_back(planes.rounded(i, f));
 
-  a.violation = meet_vertices(t, placement.is_turned_round() ? -1 : 1, a.form);
-  if (!a.violation) a.violation = order_violation(t, a.form);
+  a.violation = meet_vertices(t, placement.is_turned_round() ? -1 : 1, a.boundary);
+  if (!a.violation) a.violation = order_violation(t, a.boundary);
   if (a.violation) return a;
 
-  a.form.faces = placed_loops(placement);
-  a.body = booleans::body_of(a.form);
+  a.boundary.faces = placed_loops(placement);
+  a.body = booleans::body_of(a.boundary);
   a.violation = crossing_violation(a.body);
   return a;
 }
@@ -73,7 +73,7 @@ Reconstructed reconstructed(std::uint32_t i, const Placement& placement, const P
   for (std::uint32_t f = 0; f < planes.faces[i].size(); ++f) is_exact = is_exact && rounder.is_exact(planes.of(i, f));
   if (!is_exact) {
     const auto& points = placement.shape->polyhedron.points;
-    result.displacement = displacement_above(points, IntegerMap(placement.to_grid), a.form);
+    result.displacement = displacement_above(points, IntegerMap(placement.to_grid), a.boundary);
   }
   return result;
 }

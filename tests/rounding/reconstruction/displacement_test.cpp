@@ -40,18 +40,18 @@ TEST(DisplacementTest, TheFarthestVertexDecides) {
     const Placement placement = placed(box, random_motion(random));
     const auto& points = box.polyhedron.points;
     // Vertices that are all where they should be, to a step, but one.
-    Canonical form;
+    booleans::Boundary boundary;
     Rational most = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {
       const Vector p = placement.to_grid(points[v]);
       exact::GridPoint g{};
       for (std::size_t k = 0; k < 3; ++k) g.c[k] = static_cast<std::int32_t>(nearest_integer(p[k]));
       if (v == static_cast<std::size_t>(i) % points.size()) g.c[0] += 1000;
-      form.vertices.push_back(exact::point(g));
-      const Vector e = p - vertex(form.vertices.back());
+      boundary.vertices.push_back(exact::point(g));
+      const Vector e = p - vertex(boundary.vertices.back());
       most = std::max(most, Rational(dot(e, e)));
     }
-    const Rational bound = displacement_above(points, IntegerMap(placement.to_grid), form);
+    const Rational bound = displacement_above(points, IntegerMap(placement.to_grid), boundary);
     EXPECT_GT(bound, 998);
     EXPECT_GE(bound * bound, most);
     EXPECT_LE(bound * bound, most * (1 + Rational(1, power_of_2(150))));

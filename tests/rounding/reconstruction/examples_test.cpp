@@ -285,28 +285,29 @@ TEST(RoundingExamplesTest, UnionOfManyTriangles) {
 
 /// A trihedral shape with its planes rounded to few bits, and how many of the conditions C1 and C2 that breaks.
 struct Rounded {
-  booleans::Canonical form;  // if none is broken
+  booleans::Boundary boundary;  // if none is broken
   int broken = 0;
 };
 Rounded rounded(const Shape& shape, const AffineMap& map, const PlaneRounder& rounder) {
   const Polyhedron& p = shape.polyhedron;
   const IntegerMap back(inverse(map));
   Rounded r;
-  for (const WidePlane& before : p.planes) r.form.planes.push_back(*rounder.round(moved(before, back), Method::naive));
+  for (const WidePlane& before : p.planes)
+    r.boundary.planes.push_back(*rounder.round(moved(before, back), Method::naive));
   std::vector<std::optional<exact::Point>> points;
   for (std::size_t v = 0; v < p.points.size(); ++v) {
     const auto& [f, g, h] = shape.trihedral->faces[v];
-    const exact::Plane &a = r.form.planes[f], &b = r.form.planes[g], &c = r.form.planes[h];
+    const exact::Plane &a = r.boundary.planes[f], &b = r.boundary.planes[g], &c = r.boundary.planes[h];
     points.push_back(exact::meet(a, b, c));
     r.broken += exact::turn(a, b, c) != shape.trihedral->sign[v];
   }
   for (const auto& order : shape.trihedral->orders)
-    r.broken += points[order.from] && exact::side(r.form.planes[order.face], *points[order.from]) != order.side;
+    r.broken += points[order.from] && exact::side(r.boundary.planes[order.face], *points[order.from]) != order.side;
   if (r.broken > 0) return r;
-  for (const auto& point : points) r.form.vertices.push_back(*point);
-  r.form.faces.face_start = p.faces.face_start;
-  r.form.faces.loop_start = p.faces.loop_start;
-  r.form.faces.corners = p.faces.corners;
+  for (const auto& point : points) r.boundary.vertices.push_back(*point);
+  r.boundary.faces.face_start = p.faces.face_start;
+  r.boundary.faces.loop_start = p.faces.loop_start;
+  r.boundary.faces.corners = p.faces.corners;
   return r;
 }
 
@@ -350,7 +351,7 @@ TEST(RoundingExamplesTest, UnionOfManyTrianglesRoundedAsAWhole) {
       const PlaneRounder rounder(power_of_2(bits), power_of_2(bits + 16));
       std::vector<booleans::Body> turned;
       for (const Shape& s : prisms)
-        if (const Rounded r = rounded(s, map, rounder); r.broken == 0) turned.push_back(booleans::body_of(r.form));
+        if (const Rounded r = rounded(s, map, rounder); r.broken == 0) turned.push_back(booleans::body_of(r.boundary));
       const int broken = rounded(whole, map, rounder).broken;
       std::printf("%u bits: %d conditions of the union, %zu of 150 triangles broken\n", bits, broken,
                   prisms.size() - turned.size());

@@ -23,8 +23,7 @@ TEST(PlaneClassesTest, SharedPlanesAreRoundedOnce) {
     if (i % 4 == 2) map = scaled(map, Rational(1 + below(random, 100), 17));
     const Reconstruction r = made({placed(low, map), placed(high, composed(shift({0, 0, 100}), map))});
     ASSERT_EQ(r.planes, 7u);
-    std::array<Canonical, 2> forms;
-    for (std::size_t k = 0; k < 2; ++k) forms[k] = booleans::canonical(r.primitives[k].body);
+    const std::array forms{booleans::canonical(r.primitives[0].body), booleans::canonical(r.primitives[1].body)};
     // Four sides are common, one is opposite.
     const auto count = [&](bool opposite) {
       int n = 0;
