@@ -62,7 +62,7 @@ TEST(RefusalsTest, TheEndOfTheWorldBelongsToIt) {
       const Reconstructed r = made(placed(*s, shift(last)), options);
       EXPECT_EQ(r.by_planes, !by_vertices);
       EXPECT_EQ(r.displacement, 0);
-      EXPECT_EQ(booleans::volume(r.body), Rational(sixfold_volume(s->polyhedron) / 6));
+      EXPECT_EQ(booleans::volume(r.body), Rational(volume(s->polyhedron)));
       for (std::size_t k = 0; k < 3; ++k) {
         Vector beyond = last;
         beyond[k] += 1;
