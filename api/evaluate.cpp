@@ -135,7 +135,9 @@ Result<std::vector<Solid>> on_finest_grid(std::vector<Solid> solids) {
 }
 
 Result<Solid> evaluate(const Expression& expression, const Options& options) {
-  return with_threads(options.threads, [&] { return evaluate_here(expression, options); });
+  return run_to_end(options, [&](const Options& run) {
+    return with_threads(run.threads, [&] { return evaluate_here(expression, run); });
+  });
 }
 
 Result<Solid> unite(const std::vector<Solid>& solids, const Options& options) {
@@ -147,7 +149,6 @@ Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options
 }
 
 Result<Solid> difference(const Solid& minuend, const std::vector<Solid>& subtrahends, const Options& options) {
-  if (subtrahends.empty()) return minuend;
   return evaluate(Expression::difference(minuend, {subtrahends.begin(), subtrahends.end()}), options);
 }
 

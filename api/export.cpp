@@ -30,13 +30,13 @@ ExportReport reported(const Body& body, const Triangulated& mesh, const grid::La
   return report;
 }
 
-Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options,
+Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, const Options& run,
                       ExportReport* report, SurfaceCounts* surface) {
   // False when the run was cancelled.
   const auto begin = [&](const char* stage, double fraction) {
-    if (options.run.stage) options.run.stage(stage);
-    if (options.run.progress) options.run.progress(fraction);
-    return !options.run.cancel || !options.run.cancel->load(std::memory_order_relaxed);
+    if (run.stage) run.stage(stage);
+    if (run.progress) run.progress(fraction);
+    return !run.cancel || !run.cancel->load(std::memory_order_relaxed);
   };
   const Error cancelled{ErrorCode::cancelled, "the export was cancelled"};
 
@@ -65,7 +65,6 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
   if (surface) *surface = is_separated ? surface_counts(mesh, vertices) : surface_counts(body, mesh);
 
   out.triangles = std::move(mesh.corners);
-  if (options.run.progress) options.run.progress(1);
   return out;
 }
 
@@ -77,8 +76,10 @@ Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* rep
   const Body& body = Access::operand(*this);
   if (body.full_at_infinity)
     return Error{ErrorCode::unbounded, "an unbounded solid has no triangle mesh; its complement may have one"};
-  return with_threads(options.run.threads,
-                      [&] { return exported(body, Access::lattice(*this), options, report, surface); });
+  return run_to_end(options.run, [&](const Options& run) {
+    return with_threads(run.threads,
+                        [&] { return exported(body, Access::lattice(*this), options, run, report, surface); });
+  });
 }
 
 }  // namespace quoin

@@ -88,14 +88,36 @@ Result<Grid> common_grid(const std::vector<Source>& sources) {
 
 /// One source on the common grid.
 Result<Solid> built(const Source& source, const ImportOptions& options, ImportReport& report) {
-  if (source.exact) {
-    auto solid = source.exact->on_grid(*options.grid);
-    if (solid && options.run.progress) options.run.progress(1);
-    return solid;
-  }
+  if (source.exact)
+    return run_to_end(options.run, [&](const Options&) { return source.exact->on_grid(*options.grid); });
 
   const PolygonMesh& mesh = source.mesh;
   return Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, options, &report);
+}
+
+Result<std::vector<Solid>> built(std::vector<Source> sources, const ImportOptions& options, const Options& run,
+                                 std::vector<ImportReport>* reports) {
+  if (reports) reports->assign(sources.size(), {});
+  ImportOptions each = options;
+  if (!each.grid) {
+    const auto grid = common_grid(sources);
+    if (!grid) return grid.error();
+    each.grid = grid.value();
+  }
+
+  std::vector<Solid> solids;
+  solids.reserve(sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto count = static_cast<double>(sources.size());
+    each.run = step_of(run, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    ImportReport report;
+    auto solid = built(sources[i], each, report);
+    if (!solid) return in_file(solid.error(), sources[i].name);
+    solids.push_back(std::move(solid).value());
+    if (reports) (*reports)[i] = report;
+    sources[i] = {};  // large arrays are not kept longer than needed
+  }
+  return solids;
 }
 
 }  // namespace
@@ -130,28 +152,7 @@ Result<Source> read_source(const std::string& path, std::optional<Format> format
 
 Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options,
                                  std::vector<ImportReport>* reports) {
-  if (reports) reports->assign(sources.size(), {});
-  ImportOptions each = options;
-  if (!each.grid) {
-    const auto grid = common_grid(sources);
-    if (!grid) return grid.error();
-    each.grid = grid.value();
-  }
-  if (sources.empty() && options.run.progress) options.run.progress(1);
-
-  std::vector<Solid> solids;
-  solids.reserve(sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const auto count = static_cast<double>(sources.size());
-    each.run = step_of(options.run, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    ImportReport report;
-    auto solid = built(sources[i], each, report);
-    if (!solid) return in_file(solid.error(), sources[i].name);
-    solids.push_back(std::move(solid).value());
-    if (reports) (*reports)[i] = report;
-    sources[i] = {};  // large arrays are not kept longer than needed
-  }
-  return solids;
+  return run_to_end(options.run, [&](const Options& run) { return built(std::move(sources), options, run, reports); });
 }
 
 Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const ImportOptions& options,

@@ -19,10 +19,6 @@ namespace {
 
 bool cancelled(const Options& options) { return options.cancel != nullptr && options.cancel->load(); }
 
-void report_progress(const Options& options, double done) {
-  if (options.progress) options.progress(done);
-}
-
 Result<Grid> chosen_grid(std::span<const double> points, const ImportOptions& options) {
   if (options.grid) return *options.grid;
   return fitting_grid(std::array{points});
@@ -52,17 +48,16 @@ Result<booleans::Body> resolved(const booleans::Body& mesh, const Grid& grid, co
   return body;
 }
 
-/// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.
 template <class Import>
-Result<Solid> imported(std::span<const double> points, const ImportOptions& options, ImportReport* report,
-                       Import&& import) {
+Result<Solid> imported(std::span<const double> points, const ImportOptions& options, const Options& run,
+                       ImportReport* report, Import&& import) {
   if (report) *report = {};
-  if (cancelled(options.run)) return Error{ErrorCode::cancelled, "the import was cancelled"};
+  if (cancelled(run)) return Error{ErrorCode::cancelled, "the import was cancelled"};
   const auto grid = chosen_grid(points, options);
   if (!grid) return grid.error();
 
-  if (options.run.stage) options.run.stage("snap, weld, validate");
-  report_progress(options.run, 0);
+  if (run.stage) run.stage("snap, weld, validate");
+  if (run.progress) run.progress(0);
   auto mesh = import(Access::lattice(grid.value()));
   if (!mesh) return mesh.error();
   if (report) *report = report_of(mesh.value());
@@ -73,13 +68,21 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
   body.is_proved = options.trust == Trust::nothing;
   const bool is_empty = body.triangles.empty();
   if (!is_empty && options.trust == Trust::nothing) {
-    auto proved = resolved(body, grid.value(), step_of(options.run, 0.1, 0.95), report);
+    auto proved = resolved(body, grid.value(), step_of(run, 0.1, 0.95), report);
     if (!proved) return proved.error();
     body = std::move(proved).value();
   }
 
-  report_progress(options.run, 1);
   return is_empty ? Solid::empty(grid.value()) : Access::solid(grid.value(), std::move(body));
+}
+
+/// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.
+template <class Import>
+Result<Solid> import_to_end(std::span<const double> points, const ImportOptions& options, ImportReport* report,
+                            Import&& import) {
+  return run_to_end(options.run, [&](const Options& run) {
+    return with_threads(run.threads, [&] { return imported(points, options, run, report, import); });
+  });
 }
 
 /// The first point that no grid can hold, as the place of an error.
@@ -152,10 +155,8 @@ Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const
   const auto coordinates = doubles(points, storage);
   const auto corners = unsigned_indices(triangles);
 
-  return with_threads(options.run.threads, [&] {
-    return imported(coordinates, options, report, [&](const grid::Lattice& lattice) {
-      return grid::import_triangles(coordinates, corners, lattice);
-    });
+  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice) {
+    return grid::import_triangles(coordinates, corners, lattice);
   });
 }
 
@@ -173,10 +174,8 @@ Result<Solid> Solid::from_polygons(Coordinates points, Indices starts, Indices c
   const auto coordinates = doubles(points, storage);
   const auto first = unsigned_indices(starts), all = unsigned_indices(corners);
 
-  return with_threads(options.run.threads, [&] {
-    return imported(coordinates, options, report, [&](const grid::Lattice& lattice) {
-      return grid::import_polygons(coordinates, first, all, lattice);
-    });
+  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice) {
+    return grid::import_polygons(coordinates, first, all, lattice);
   });
 }
 

@@ -13,26 +13,25 @@ std::shared_ptr<const rounding::Shape> surface_of(const Solid& solid) {
   return shape_of(solid.is_bounded() ? solid : ~solid);
 }
 
-Result<Solid> placed(const Solid& solid, const rounding::RealizedMotion& motion, const MoveOptions& options,
+Result<Solid> placed(const Solid& solid, const rounding::RealizedMotion& motion, Rounding rounding, const Options& run,
                      MotionReport& report) {
   if (!solid.is_bounded()) {
-    auto complement = placed(~solid, motion, options, report);
+    auto complement = placed(~solid, motion, rounding, run, report);
     if (!complement) return complement.error();
     return ~complement.value();
   }
 
   const auto shape = shape_of(solid);
   constexpr double half = 0.5;  // of the time, for a mesh
-  if (options.run.progress) options.run.progress(half);
+  if (run.progress) run.progress(half);
 
-  auto bodies =
-      place({{shape.get(), {}, &motion}}, Access::lattice(solid), options.rounding, step_of(options.run, half, 1));
+  auto bodies = place({{shape.get(), {}, &motion}}, Access::lattice(solid), rounding, step_of(run, half, 1));
   if (!bodies) return bodies.error();
   report = bodies.value().report;
   return Access::solid(solid.grid(), std::move(bodies.value().primitives[0].body));
 }
 
-Result<Solid> carried(const Solid& solid, const rounding::RealizedMotion& motion, const MoveOptions& options,
+Result<Solid> carried(const Solid& solid, const rounding::RealizedMotion& motion, Rounding rounding, const Options& run,
                       MotionReport& report) {
   report = {.angle_error = exact::double_above(motion.angle_error_degrees), .primitives = 1, .by_planes = 1};
   if (Access::operand(solid).face_count() == 0) return solid;
@@ -42,15 +41,18 @@ Result<Solid> carried(const Solid& solid, const rounding::RealizedMotion& motion
     if (!motion.is_exact()) report_displacement(report, motion.displacement_within(surface_of(solid)->reach));
     return solid;
   }
-  return placed(solid, motion, options, report);
+  return placed(solid, motion, rounding, run, report);
 }
 
 }  // namespace
 
 Result<Solid> moved(const Solid& solid, const Motion& motion, const MoveOptions& options, MotionReport* report) {
-  return with_threads(options.run.threads, [&] {
-    MotionReport ignored;
-    return carried(solid, rounding::realize(Access::motion(motion)), options, report ? *report : ignored);
+  return run_to_end(options.run, [&](const Options& run) {
+    return with_threads(run.threads, [&] {
+      MotionReport ignored;
+      return carried(solid, rounding::realize(Access::motion(motion)), options.rounding, run,
+                     report ? *report : ignored);
+    });
   });
 }
 

@@ -26,6 +26,21 @@ inline Options step_of(const Options& run, double from, double to) {
   return step;
 }
 
+/// The value of work(run), an operation that a caller may start. If it succeeds it says 1 last and once, however it
+/// came to its end: what `work` says of that itself is not passed on.
+template <class Work>
+auto run_to_end(const Options& run, Work&& work) {
+  if (!run.progress) return work(run);
+  Options inner = run;
+  inner.progress = [&run](double done) {
+    if (done < 1) run.progress(done);
+  };
+
+  auto result = work(std::as_const(inner));
+  if (result) run.progress(1);
+  return result;
+}
+
 /// Runs `work` in the calling thread with so many workers, 0 for all, and returns its value.
 /// TBB says on stderr when it is asked for more than it has.
 template <class Work>

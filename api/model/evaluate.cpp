@@ -95,9 +95,9 @@ Result<Expression> expression(const Gathered& g, const Grid& grid, std::vector<r
   return known[g.root];
 }
 
-Result<Solid> evaluated(const Model& model, const ModelOptions& options, MotionReport* report) {
+Result<Solid> evaluated(const Model& model, const ModelOptions& options, const Options& run, MotionReport* report) {
   if (!Access::node(model)) return Solid::empty(options.grid ? *options.grid : Grid());
-  auto parts = gathered(*Access::node(model), options.parameters, options.run);
+  auto parts = gathered(*Access::node(model), options.parameters, run);
   if (!parts) return parts.error();
   const Gathered& g = parts.value();
 
@@ -105,20 +105,22 @@ Result<Solid> evaluated(const Model& model, const ModelOptions& options, MotionR
   if (!grid) return grid.error();
 
   constexpr double placing = 0.5;  // of the time, about
-  auto placed = place(g.primitives, Access::lattice(grid.value()), options.rounding, step_of(options.run, 0, placing));
+  auto placed = place(g.primitives, Access::lattice(grid.value()), options.rounding, step_of(run, 0, placing));
   if (!placed) return named(placed.error(), g.leaves);
   if (report) *report = placed.value().report;
 
   const auto root = expression(g, grid.value(), placed.value().primitives);
   if (!root) return root.error();
   // The empty solid carries the grid.
-  return evaluate(Expression::unite({Solid::empty(grid.value()), root.value()}), step_of(options.run, placing, 1));
+  return evaluate(Expression::unite({Solid::empty(grid.value()), root.value()}), step_of(run, placing, 1));
 }
 
 }  // namespace
 
 Result<Solid> evaluate(const Model& model, const ModelOptions& options, MotionReport* report) {
-  return with_threads(options.run.threads, [&] { return evaluated(model, options, report); });
+  return run_to_end(options.run, [&](const Options& run) {
+    return with_threads(run.threads, [&] { return evaluated(model, options, run, report); });
+  });
 }
 
 }  // namespace quoin

@@ -25,7 +25,6 @@ struct ImportOptions {
   /// The grid to snap to; default: the one that fits the input.
   std::optional<Grid> grid = {};
   Trust trust = Trust::nothing;
-  /// Progress never decreases, and of an import that succeeds it ends with exactly 1.
   Options run = {};
 };
 

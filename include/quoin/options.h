@@ -9,7 +9,8 @@
 
 namespace quoin {
 
-/// Called with a fraction in [0, 1] from the thread that called the operation.
+/// Called with a fraction in [0, 1] from the thread that called the operation. It never decreases; of an operation that
+/// succeeds, however little there was to do, it ends with exactly 1.
 using Progress = std::function<void(double)>;
 /// Set to true, from any thread or signal handler, to make the operation return the error "cancelled".
 using Cancel = std::atomic<bool>;

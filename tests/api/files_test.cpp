@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "io/quoin.h"
+#include "tests/api/fractions.h"
 #include "tests/api/quoin_damage.h"
 #include "tests/api/solids.h"
 
@@ -365,22 +366,6 @@ TEST_F(Files, ErrorsNameThePlace) {
   EXPECT_EQ(solids.error().file, path("far.off"));
   EXPECT_EQ(solids.error().where, "vertex 1 (1, 1e+308, 0)");
 }
-
-/// Fractions as they are reported.
-struct Fractions {
-  std::vector<double> all;
-  Progress record() {
-    all.clear();
-    return [this](double done) { all.push_back(done); };
-  }
-  void expect_whole(const std::string& what) const {
-    ASSERT_FALSE(all.empty()) << what;
-    EXPECT_TRUE(std::is_sorted(all.begin(), all.end())) << what;
-    EXPECT_GE(all.front(), 0) << what;
-    EXPECT_EQ(all.back(), 1) << what;
-    EXPECT_LE(std::count(all.begin(), all.end(), 1), 2) << what;
-  }
-};
 
 TEST_F(Files, ProgressOfEveryImportEndsAtOne) {
   const Mesh clean = box_mesh({0, 0, 0}, {2, 2, 2});
