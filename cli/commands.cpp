@@ -85,16 +85,30 @@ Result<Info> measured_info(const Solid& solid, const SurfaceCounts* surface, Ses
   return unless_cancelled(std::move(info));
 }
 
+void warn_of_dropped_shells(const std::string& file, const ImportReport& report) {
+  const std::uint64_t count = report.dropped_shells;
+  if (count == 0) return;
+  const std::string what =
+      count == 1 ? "1 shell is inside out and bounds" : std::to_string(count) + " shells are inside out and bound";
+  print_warning(what + " nothing of the solid: dropped", file, report.dropped_where);
+}
+
+/// A mesh has faces, so that one that becomes empty has lost all of them: they have collapsed, or they overlap and
+/// cancel.
+void warn_of_nothing_left(const std::string& file, const Solid& solid, const ImportReport& report) {
+  const std::uint64_t flat = report.zero_area_triangles;
+  if (!solid.is_empty() || flat + report.resolved_crossings == 0) return;
+  std::string what = "the mesh bounds nothing on this grid, the solid is empty";
+  if (flat > 0)
+    what += flat == 1 ? ": 1 triangle has no area after snapping"
+                      : ": " + std::to_string(flat) + " triangles have no area after snapping";
+  print_warning(what, file, "step " + solid.grid().step());
+}
+
 /// Says what import could not keep.
 void warn_of_losses(const Arguments& a, const std::vector<MeshImport>& imports) {
   if (a.quiet) return;
-  for (const auto& [file, report] : imports) {
-    const std::uint64_t count = report.dropped_shells;
-    if (count == 0) continue;
-    const std::string what =
-        count == 1 ? "1 shell is inside out and bounds" : std::to_string(count) + " shells are inside out and bound";
-    print_warning(what + " nothing of the solid: dropped", file, report.dropped_where);
-  }
+  for (const auto& [file, report] : imports) warn_of_dropped_shells(file, report);
 }
 
 /// Says what rounding a motion could not keep.
@@ -125,6 +139,8 @@ Result<Operands> load(Session& session, Trust trust) {
   Operands operands{std::move(solids).value(), {}};
   for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
   warn_of_losses(a, operands.imports);
+  for (std::size_t i = 0; i < reports.size() && !a.quiet; ++i)
+    warn_of_nothing_left(a.inputs[i], operands.solids[i], reports[i]);
   return operands;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "grid/area.h"
 #include "grid/balance.h"
 #include "grid/cut.h"
 #include "grid/lists/loops.h"
@@ -89,6 +90,20 @@ Result<void> check_indices(const Faces& f) {
                "a corner outside of all polygons names a vertex that does not exist",
                {},
                "corner " + std::to_string(stray - f.corners.begin())};
+}
+
+/// Whether some face has an area, before snapping. Of nearly every mesh one of the first faces tells by its signs.
+bool has_areas(const Faces& f) {
+  for (const Look look : {Look::at_signs, Look::exactly})
+    for (std::size_t i = 0; i < f.count(); ++i)
+      if (has_area(f.points, f.face(i), look)) return true;
+  return false;
+}
+
+Error no_areas(const Faces& f) {
+  const std::string which =
+      f.count() == 1 ? "the only face has no area" : "none of the " + std::to_string(f.count()) + " faces has an area";
+  return {ErrorCode::no_faces, which + ": all corners of a face lie on one line, so nothing is bounded", {}, "face 0"};
 }
 
 /// What is known of triangles.
@@ -244,6 +259,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
       gathered = gather(f, lattice, mesh, ids);
   });
   if (!*gathered) return gathered->error();
+  if (facing == Facing::out && f.count() > 0 && !has_areas(f)) return no_areas(f);
   const Collected& all = gathered->value();
   mesh.zero_area_triangles = all.zero_area + all.slivers.size();
   if (!seal(mesh.points, mesh.triangles, all.slivers) ||

@@ -34,8 +34,8 @@ struct ImportedMesh {
 
 /// Which way the faces of a mesh may look.
 enum class Facing {
-  out,  // counter-clockwise from outside: a negative volume is refused
-  any,
+  out,  // counter-clockwise from outside: a negative volume is refused, and so are faces that look nowhere
+  any,  // also nowhere: of what has been rounded nothing may be left
 };
 
 /// Snaps, welds, cuts polygons into triangles, seals T-junctions of zero-area triangles, proves closedness and checks
@@ -44,8 +44,9 @@ enum class Facing {
 /// counter-clockwise from outside; `starts` is non-decreasing and has one entry more than there are polygons, or none.
 /// A coordinate goes to the nearest grid coordinate, ties to even. Every vertex is snapped, used or not.
 /// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work; also for more than 2^31 points
-/// or corners), "bad-index" (also for broken `starts`), "open-boundary" (`where` is one edge with its ends in model
-/// units and its face), "inside-out" (`where` is the lowest corner of the shell of the most negative volume).
+/// or corners), "bad-index" (also for broken `starts`), "no-faces" (there are some, but none has an area before
+/// snapping: area.h), "open-boundary" (`where` is one edge with its ends in model units and its face), "inside-out"
+/// (`where` is the lowest corner of the shell of the most negative volume).
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
                                      std::span<const std::uint32_t> corners, const Lattice& lattice);
 /// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".

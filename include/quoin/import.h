@@ -34,7 +34,8 @@ struct ImportReport {
   double max_snap = 0;
   /// Distinct input points that became one grid point.
   std::uint64_t merged_points = 0;
-  /// Triangles of zero area after snapping: gone, their points now on their neighbours' edges.
+  /// Triangles of zero area after snapping: gone, their points now on their neighbours' edges. Where these are all, a
+  /// mesh smaller than a step, the solid is empty. A mesh of which no face had an area before is refused ("no-faces").
   std::uint64_t zero_area_triangles = 0;
   /// Polygons that were not planar after snapping and were triangulated.
   std::uint64_t nonplanar_polygons = 0;

@@ -299,6 +299,28 @@ TEST_F(Files, AMeshWithoutFacesIsRefused) {
   EXPECT_TRUE(Solid::from_triangles(std::vector<double>{1, 2, 3}, {}).value().is_empty());
 }
 
+TEST_F(Files, AMeshWithoutAreasIsRefused) {
+  Mesh line = box_mesh({0, 0, 0}, {1, 1, 1});
+  for (std::size_t i = 0; i < line.points.size(); i += 3) line.points[i + 1] = line.points[i + 2] = line.points[i];
+  put("line.off", to_bytes(line, Format::off).value());
+  const auto solids = read({path("line.off")});
+  ASSERT_FALSE(solids);
+  EXPECT_EQ(solids.error().code, ErrorCode::no_faces);
+  EXPECT_EQ(solids.error().file, path("line.off"));
+  EXPECT_EQ(solids.error().where, "face 0");
+  EXPECT_NE(solids.error().message.find("none of the 12 faces"), std::string::npos) << solids.error().message;
+  for (const Trust trust : {Trust::nothing, Trust::embedded})
+    EXPECT_EQ(Solid::from_triangles(line.points, line.triangles, {.trust = trust}).error().code, ErrorCode::no_faces);
+
+  // What is wiped out by snapping is the empty solid, and the report says how.
+  const Mesh small = box_mesh({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2});
+  ImportReport report;
+  const auto nothing = Solid::from_triangles(small.points, small.triangles, {.grid = grid_of("1")}, &report);
+  ASSERT_TRUE(nothing);
+  EXPECT_TRUE(nothing.value().is_empty());
+  EXPECT_EQ(report.zero_area_triangles, 12u);
+}
+
 /// Two meshes as one, the points of each its own.
 Mesh joined(Mesh a, const Mesh& b) {
   const auto behind = static_cast<std::uint32_t>(a.points.size() / 3);

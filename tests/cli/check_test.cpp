@@ -63,5 +63,34 @@ TEST_F(CliTest, AnInsideOutBodyAmongOthersIsSaid) {
   EXPECT_EQ(run({"check", "a.off", "--json"}).json()["dropped_shells"], 0);
 }
 
+TEST_F(CliTest, CheckRefusesAMeshWithoutAreas) {
+  put("line.off", "OFF\n3 2 0\n0 0 0\n1 2 3\n2 4 6\n3 0 1 2\n3 2 1 0\n");
+  const Outcome r = run({"check", "line.off", "--json"});
+  expect_error(r, 1, "no-faces", "line.off");
+  EXPECT_NE(r.err.find("none of the 2 faces has an area"), std::string::npos) << r.err;
+  EXPECT_EQ(r.json()["error"]["where"], "face 0");
+}
+
+TEST_F(CliTest, AMeshOfWhichNothingIsLeftIsSaid) {
+  put("tiny.off", cube("0.1", "0.2"));
+  put("pair.off", "OFF\n3 2 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n3 2 1 0\n");
+  const auto warning = [](const std::string& more, const std::string& where) {
+    return "quoin: warning: the mesh bounds nothing on this grid, the solid is empty" + more + " (" + where + ")\n";
+  };
+  const Words tiny{"check", "tiny.off", "--step", "1"};
+  const Outcome plain = run(tiny);
+  EXPECT_EQ(plain.code, 0);
+  EXPECT_EQ(plain.err, warning(": 6 triangles have no area after snapping", "tiny.off, step 1"));
+  EXPECT_EQ(run({"union", "a.off", "tiny.off", "--step", "1", "-o", "out.quoin"}).err, plain.err);
+  EXPECT_EQ(run({"convert", "pair.off", "--step", "1", "-o", "out.quoin"}).err, warning("", "pair.off, step 1"));
+
+  Words quiet = tiny;
+  quiet.push_back("--quiet");
+  EXPECT_EQ(run(quiet).err, "");
+  // What is said to be empty is no loss.
+  EXPECT_EQ(run({"check", "out.quoin"}).err, "");
+  EXPECT_EQ(run({"check", "tiny.off"}).err, "");
+}
+
 }  // namespace
 }  // namespace quoin::cli_test

@@ -218,6 +218,32 @@ TEST(Import, a_flat_pair_of_faces_is_the_empty_set) {
   EXPECT_EQ(c.import().value().triangles.size(), 2U);
 }
 
+TEST(Import, faces_without_area_are_no_faces) {
+  Polygons c;
+  c.points = {0, 0, 0, 4, 8, 12, 1, 2, 3, 0, 0, 0};
+  c.add({0, 1, 2});
+  c.add({2, 1, 0});
+  c.add({0, 1});
+  c.add({});
+  c.add({0, 3, 0, 2, 1, 2});
+  const Error error = c.import().error();
+  EXPECT_EQ(error.code, ErrorCode::no_faces);
+  EXPECT_NE(error.message.find("none of the 5 faces has an area"), std::string::npos) << error.message;
+  EXPECT_EQ(error.where, "face 0");
+
+  // One face with an area is a surface, if an open one; what is rounded may have none.
+  const std::vector<std::uint32_t> one{0, 1, 2}, pair{0, 1, 2, 2, 1, 0};
+  EXPECT_EQ(import_triangles(c.points, pair, Lattice{}).error().code, ErrorCode::no_faces);
+  EXPECT_TRUE(import_triangles(c.points, pair, Lattice{}, Facing::any).value().triangles.empty());
+  c.points[3 * 2] = 1.25;
+  EXPECT_EQ(import_triangles(c.points, pair, Lattice{}).value().zero_area_triangles, 2U);
+  EXPECT_EQ(import_triangles(c.points, one, Lattice{}).error().code, ErrorCode::open_boundary);
+
+  // Snapping makes an area where there was none.
+  c.points = {0, 0, 0, 0.625, 1, 0, 1.25, 2, 0};
+  EXPECT_EQ(import_triangles(c.points, pair, Lattice{}).error().code, ErrorCode::no_faces);
+}
+
 TEST(Import, bad_indices) {
   const std::vector<double> p(9);
   const std::vector<std::uint32_t> t{0, 1, 3}, two{0, 1}, good{0, 1, 2}, down{0, 3, 2}, beyond{0, 4};
