@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -145,6 +146,18 @@ Result<Boundary> read_boundary(io::ExactDocument& document) {
   return boundary;
 }
 
+/// "faces 3 and 7", counted as in the text; "faces" where none is known. `faces`: of the body.
+std::string names_of(const std::vector<std::uint32_t>& faces, const Boundary& boundary) {
+  if (faces.empty()) return "faces";
+  const auto order = booleans::faces_in_order_of_body(boundary);
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t f : faces) numbers.push_back(order[f]);
+  std::sort(numbers.begin(), numbers.end());
+
+  if (numbers.size() == 1) return face_name(numbers[0]);
+  return "faces " + std::to_string(numbers[0]) + " and " + std::to_string(numbers[1]);
+}
+
 }  // namespace
 
 std::string Solid::to_quoin() const {
@@ -179,8 +192,11 @@ Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
   booleans::Body body = booleans::body_of(boundary.value());
   body.is_proved = trust == Trust::nothing;
   if (auto fault = booleans::fault(boundary.value())) return bad(fault->message, fault->where);
-  if (trust == Trust::nothing)
-    if (const auto fault = booleans::embedding_fault(body)) return bad("the solid is not valid: " + *fault, "faces");
+  if (trust == Trust::nothing) {
+    std::vector<std::uint32_t> faces;
+    if (const auto fault = booleans::embedding_fault(body, &faces))
+      return bad("the solid is not valid: " + *fault, names_of(faces, boundary.value()));
+  }
 
   return Access::solid(Access::grid(std::move(lattice).value()), std::move(body));
 }

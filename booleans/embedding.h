@@ -2,8 +2,10 @@
 /// Proof that a body that came from outside is clean.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "booleans/body/body.h"
 
@@ -15,6 +17,10 @@ namespace quoin::booleans {
 ///
 /// The second half of the arrangement decides: the faces are drawn with all that meets them, and a clean body adds
 /// nothing to its own drawing; then the sides of all faces are labelled as in any Boolean.
-std::optional<std::string> embedding_fault(const Body& body);
+///
+/// `faces`, when given, receives what the sentence is about, ascending: two faces that meet out of place, or one that
+/// meets itself or has the wrong sides; of a patched body by their numbers in the packed one. Empty where no single
+/// face shows the fault.
+std::optional<std::string> embedding_fault(const Body& body, std::vector<std::uint32_t>* faces = nullptr);
 
 }  // namespace quoin::booleans

@@ -1,6 +1,7 @@
 #include "booleans/body/boundary.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace quoin::booleans {
 namespace {
@@ -51,6 +52,13 @@ Body body_of(const Boundary& boundary) {
     body.polygons.end_face();
   }
   return body;
+}
+
+std::vector<std::uint32_t> faces_in_order_of_body(const Boundary& boundary) {
+  std::vector<std::uint32_t> order(boundary.face_count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_partition(order.begin(), order.end(), [&](std::uint32_t f) { return is_raw(boundary, f); });
+  return order;
 }
 
 bool operator==(const Boundary& a, const Boundary& b) {

@@ -25,6 +25,8 @@ bool is_raw(const Boundary& boundary, std::size_t face);
 
 /// The body with these faces; triangles between grid points become raw, the others are polygons in their order.
 Body body_of(const Boundary& boundary);
+/// The boundary's face that each face of that body is.
+std::vector<std::uint32_t> faces_in_order_of_body(const Boundary& boundary);
 
 /// Equal numbers in equal order: for canonical forms on one grid, equal point sets.
 bool operator==(const Boundary& a, const Boundary& b);

@@ -89,17 +89,17 @@ CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expres
   return values;
 }
 
-/// Do the labels of each node's two sides differ by its jump?
-bool is_consistent(const Arrangement& a, const Cells& cells, const CellValues& values) {
+/// The first node whose two sides' labels do not differ by its jump; none where all do.
+NodeId contradiction(const Arrangement& a, const Cells& cells, const CellValues& values) {
   for (const NodeId n : Ids<NodeId>(a.node_count())) {
     const CellId front = cells.of[front_of(n)], back = cells.of[back_of(n)];
     std::uint64_t expected = values.sum[front];
     a.for_jumps(n, [&](OperandId operand, int by) {
       expected += label_weight(operand) * static_cast<std::uint64_t>(std::int64_t{by});
     });
-    if (!values.is_seen[front] || !values.is_seen[back] || values.sum[back] != expected) return false;
+    if (!values.is_seen[front] || !values.is_seen[back] || values.sum[back] != expected) return n;
   }
-  return true;
+  return none;
 }
 
 }  // namespace
@@ -107,7 +107,8 @@ bool is_consistent(const Arrangement& a, const Cells& cells, const CellValues& v
 Selection select(const Arrangement& a, const Cells& cells, const Expression& expression) {
   Selection selection;
   const CellValues values = evaluate_cells(a, cells, expression);
-  selection.is_consistent = cells.is_consistent && is_consistent(a, cells, values);
+  if (cells.is_consistent) selection.contradiction = contradiction(a, cells, values);
+  selection.is_consistent = cells.is_consistent && selection.contradiction == none;
   selection.full_at_infinity = values.is_inside[cells.infinity];
 
   selection.kept.reserve(a.node_count());

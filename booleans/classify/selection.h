@@ -13,7 +13,8 @@ struct Selection {
   ById<NodeId, std::int8_t> kept;
   ById<ElementId, std::uint8_t> kept_at;  // how many kept facets meet there, at most 255
   bool full_at_infinity = false;
-  bool is_consistent = true;  // false: the surfaces of an operand do not bound a solid (trusted wrongly)
+  bool is_consistent = true;    // false: the surfaces of an operand do not bound a solid (trusted wrongly)
+  NodeId contradiction = none;  // then one whose sides' labels do not differ by its jump, if there is one
 };
 
 /// Labels both sides of every node and selects the boundary of the expression.

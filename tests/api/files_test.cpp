@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 
 #include "io/quoin.h"
 #include "tests/api/fractions.h"
@@ -152,6 +154,27 @@ TEST_F(Files, BadQuoinIsRefused) {
   };
   for (std::size_t i = bad.size() - 3; i < bad.size(); ++i)
     EXPECT_EQ(fault_of(bad[i]).substr(0, 22), "the solid is not valid") << fault_of(bad[i]);
+  // One of the faces is the wide box's at x = 9, the other one of those that meet it; of nested boxes one of the inner.
+  using Plane = std::array<std::string, 4>;
+  const auto planes_at_fault = [](const std::string& text) {
+    const std::string where = Solid::from_quoin(text).error().where;
+    const auto planes = damage::opened(text).numbers.planes;
+    std::set<Plane> found;
+    std::smatch numbers;
+    if (!std::regex_match(where, numbers, std::regex("faces? ([0-9]+)(?: and ([0-9]+))?"))) ADD_FAILURE() << where;
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+      if (numbers[i].matched) found.insert(planes.at(std::stoul(numbers[i].str())));
+    return found;
+  };
+  for (std::size_t i = bad.size() - 2; i < bad.size(); ++i) {
+    const std::set<Plane> planes = planes_at_fault(bad[i]);
+    EXPECT_EQ(planes.size(), 2U);
+    EXPECT_EQ(planes.count({"1", "0", "0", "-9"}), 1U);
+    EXPECT_EQ(planes.count({"1", "0", "0", "-10"}), 0U);
+  }
+  const std::set<Plane> nested = planes_at_fault(bad[bad.size() - 3]);
+  ASSERT_EQ(nested.size(), 1U);
+  EXPECT_TRUE((*nested.begin())[3] == "1" || (*nested.begin())[3] == "-2") << (*nested.begin())[3];
   EXPECT_TRUE(Solid::from_quoin(both(wide, box({10, 1, 1}, {11, 2, 2}).to_quoin())));
   EXPECT_TRUE(Solid::from_quoin(both(wide, (~box({1, 1, 1}, {2, 2, 2})).to_quoin())));  // a cavity
   for (const std::string& text : bad) {

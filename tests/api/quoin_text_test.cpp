@@ -24,7 +24,7 @@ TEST(QuoinText, ValidTextsAreAccepted) {
 TEST(QuoinText, WhatIsAcceptedIsRight) {
   auto random = random_engine();
   const std::vector<std::string> texts = damage::valid_texts();
-  std::size_t accepted = 0, changed = 0;
+  std::size_t accepted = 0, changed = 0, crossing = 0;
   for (int round = 0; round < 1500; ++round) {
     const std::string& text = texts[random() % texts.size()];
     damage::Document document = damage::opened(text);
@@ -38,13 +38,19 @@ TEST(QuoinText, WhatIsAcceptedIsRight) {
     if (damaged == text) continue;
     ++changed;
     EXPECT_EQ(damage::broken_law(damaged).value_or(""), "") << damaged;
-    accepted += static_cast<bool>(Solid::from_quoin(damaged)) ? 1 : 0;
+    if (const auto read = Solid::from_quoin(damaged); read) {
+      ++accepted;
+    } else if (read.error().message.starts_with("the solid is not valid")) {
+      ++crossing;
+      EXPECT_NE(read.error().where, "faces") << read.error().message << "\n" << damaged;
+    }
     if (const auto trusted = Solid::from_quoin(damaged, Trust::embedded)) {
       EXPECT_FALSE(trusted.value().to_quoin().empty());
     }
   }
   std::cout << changed << " changed, " << accepted << " accepted\n";
   EXPECT_GT(changed, 1000u);
+  EXPECT_GT(crossing, 10u);
 }
 
 /// The fault of a text, as "message, where".
@@ -62,6 +68,26 @@ TEST(QuoinText, ASlitAlongAnEdgeOfItsFace) {
   d.faces[0] = {{0, 1, 0, 1, 3, 2}};
   EXPECT_EQ(fault_of(damage::closed(d)), "the edge between the vertices 0 and 1 occurs twice in one direction, face 0");
   EXPECT_FALSE(Solid::from_quoin(damage::closed(d), Trust::embedded));
+}
+
+// Two cubes side by side: what is on the plane of a face need not be in it, though another face is around.
+TEST(QuoinText, ASlitOrAPointOutsideOfItsFace) {
+  const Solid two = damage::block({0, 0, 0}, {1, 1, 1}) + damage::block({3, 0, 0}, {4, 1, 1});
+  const auto with = [&](const std::vector<std::uint32_t>& loop) {
+    damage::Document d = damage::opened(two.to_quoin());
+    const std::array<std::string, 4> top{"0", "0", "1", "-1"};
+    const auto face = std::find(d.numbers.planes.begin(), d.numbers.planes.end(), top) - d.numbers.planes.begin();
+    const auto& first = d.faces[static_cast<std::size_t>(face)][0];
+    EXPECT_EQ(std::count(first.begin(), first.end(), loop[0]), 0);
+    d.faces[static_cast<std::size_t>(face)].push_back(loop);
+    return fault_of(damage::closed(d));
+  };
+  // 9 and 13 are corners of the other cube's top.
+  const std::string sentence =
+      "the solid is not valid: faces cross, overlap, touch without a common vertex, or fall into several pieces at "
+      "(3, 0, 1) grid steps, face 6";
+  EXPECT_EQ(with({9, 13}), sentence);
+  EXPECT_EQ(with({9}), sentence);
 }
 
 TEST(QuoinText, APointOnTheLoopOfItsFace) {

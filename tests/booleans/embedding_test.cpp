@@ -84,7 +84,22 @@ TEST(Embedding, TwoBodiesAreCleanWhereTheirBooleanHasTheSameFaces) {
     if (has_flat_edge(both)) continue;
     ASSERT_EQ(fault(both).value_or(""), "");
     const bool clean = canonical(both) == canonical(cavity ? minus(a, b) : any(a, b));
-    EXPECT_EQ(!embedding_fault(both), clean) << embedding_fault(both).value_or("");
+    std::vector<std::uint32_t> faces;
+    const auto message = embedding_fault(both, &faces);
+    EXPECT_EQ(!message, clean) << message.value_or("");
+    EXPECT_EQ(message, embedding_fault(both));
+    // Each body by itself is clean: two faces that meet out of place are of both.
+    if (!message) {
+      EXPECT_TRUE(faces.empty());
+    } else if (message->starts_with("faces cross")) {
+      ASSERT_EQ(faces.size(), 2u) << *message;
+      const auto is_first = [&](std::uint32_t f) {
+        return f < both.triangles.size() ? f < a.triangles.size() : both.polygon(f) < a.polygon_count();
+      };
+      EXPECT_NE(is_first(faces[0]), is_first(faces[1])) << *message;
+    } else {
+      EXPECT_EQ(faces.size(), 1u) << *message;
+    }
     ++seen[2 * (cavity ? 1 : 0) + (clean ? 1 : 0)];
   }
   if (case_count(1500) >= 1500) {
@@ -114,6 +129,82 @@ TEST(Embedding, NamedCases) {
   EXPECT_FALSE(embedding_fault(complement(cube))) << "unbounded";
 }
 
+/// Where two closed axis-parallel rectangles or boxes meet, as one; nothing where they do not.
+using Cuboid = std::array<std::array<std::int64_t, 3>, 2>;
+std::optional<Cuboid> common(const Cuboid& p, const Cuboid& q) {
+  Cuboid r{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[0][k] = std::max(p[0][k], q[0][k]);
+    r[1][k] = std::min(p[1][k], q[1][k]);
+    if (r[0][k] > r[1][k]) return std::nullopt;
+  }
+  return r;
+}
+
+/// Whether rectangles meet otherwise than in a common edge or corner: along each axis the common part then begins or
+/// ends where both do, and in one axis more than the normal's it has no length.
+bool meet_out_of_place(const Cuboid& p, const Cuboid& q) {
+  const auto meeting = common(p, q);
+  if (!meeting) return false;
+  const auto is_part = [&](const Cuboid& face) {
+    int flat = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t low = (*meeting)[0][k], high = (*meeting)[1][k];
+      flat += low == high;
+      if (low == high ? low != face[0][k] && low != face[1][k] : low != face[0][k] || high != face[1][k]) return false;
+    }
+    return flat >= 2;
+  };
+  return !is_part(p) || !is_part(q);
+}
+
+// The second way: rectangles as intervals.
+TEST(Embedding, FacesOfBoxesThatMeetOutOfPlaceAreNamed) {
+  std::array<int, 3> seen{};  // by the number of faces named
+  for (std::uint64_t number = 0; number < case_count(1000); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xB0C, number);
+    const auto random_box = [&] {
+      Vector low{}, high{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = random.between(0, 4);
+        high[k] = low[k] + random.between(1, 5);
+      }
+      return normal_form(box(low, high));
+    };
+    const Body a = random_box(), b = random_box(), both = together(a, random.one_in(2) ? complement(b) : b);
+    if (has_flat_edge(both) || fault(both)) continue;
+
+    std::vector<Cuboid> rectangles;
+    for (std::uint32_t f = 0; f < both.face_count(); ++f) {
+      Cuboid& r = rectangles.emplace_back(Cuboid{{{99, 99, 99}, {-99, -99, -99}}});
+      both.for_corners(f, [&](std::uint32_t v) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          r[0][k] = std::min<std::int64_t>(r[0][k], both.grid_points[v][static_cast<int>(k)]);
+          r[1][k] = std::max<std::int64_t>(r[1][k], both.grid_points[v][static_cast<int>(k)]);
+        }
+      });
+    }
+    bool is_crossing = false;
+    for (std::size_t f = 0; f < rectangles.size(); ++f)
+      for (std::size_t g = f + 1; g < rectangles.size(); ++g)
+        is_crossing = is_crossing || meet_out_of_place(rectangles[f], rectangles[g]);
+
+    std::vector<std::uint32_t> faces;
+    const auto message = embedding_fault(both, &faces);
+    ++seen[faces.size()];
+    if (is_crossing) {
+      ASSERT_EQ(faces.size(), 2u) << message.value_or("");
+      EXPECT_TRUE(meet_out_of_place(rectangles[faces[0]], rectangles[faces[1]])) << *message;
+    } else {
+      EXPECT_EQ(faces.size(), message ? 1u : 0u);
+    }
+  }
+  if (case_count(1000) >= 1000) {
+    for (const int count : seen) EXPECT_GT(count, 4);
+  }
+}
+
 // A face of two pieces is two faces; a pinched one is none.
 TEST(Embedding, FacesOfSeveralPieces) {
   const Body two = together(normal_form(box({0, 0, 0}, {2, 2, 2})), normal_form(box({4, 0, 0}, {6, 2, 2})));
@@ -138,7 +229,10 @@ TEST(Embedding, FacesOfSeveralPieces) {
   }
   ASSERT_LT(joined.polygon_count(), two.polygon_count());
   ASSERT_EQ(fault(joined).value_or(""), "");
-  EXPECT_TRUE(embedding_fault(joined));
+  std::vector<std::uint32_t> faces;
+  EXPECT_TRUE(embedding_fault(joined, &faces));
+  // The two pieces are of one face, and meet no other out of place.
+  EXPECT_EQ(faces.size(), 1u);
 }
 
 }  // namespace

@@ -21,9 +21,11 @@ TEST(Boundary, ABodyHasItsFaces) {
     EXPECT_EQ(body.vertex_count(), form.vertices.size());
     EXPECT_EQ(body.full_at_infinity, form.full_at_infinity);
 
+    const auto order = faces_in_order_of_body(form);
     std::uint32_t triangle = 0, polygon = static_cast<std::uint32_t>(body.triangles.size());
     for (std::size_t f = 0; f < form.face_count(); ++f) {
       const std::uint32_t face = is_raw(form, f) ? triangle++ : polygon++;
+      EXPECT_EQ(order[face], f);
       EXPECT_TRUE(body.plane(face) == form.planes[f]);
       const auto own = body.corners_of(face), given = form.faces.corners_of(f);
       ASSERT_EQ(own.size(), given.size());
