@@ -4,10 +4,19 @@
 #include "booleans/assemble/assemble.h"
 #include "booleans/dump.h"
 #include "booleans/pairs/foreign_pairs.h"
+#include "booleans/places.h"
 #include "booleans/stages.h"
 
 namespace quoin::booleans {
 namespace {
+
+Error inconsistent(const Arrangement& a, const Selection& selection) {
+  const NodeId n = selection.contradiction;
+  return {ErrorCode::inconsistent,
+          "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed",
+          {},
+          n == none ? "" : in_grid_steps(place_of(a, n).corner)};
+}
 
 /// Developer builds look at what a stage made of proved operands; a violation stops the program.
 template <class Value, class... Context>
@@ -61,9 +70,7 @@ Result<Body> selected(const Arrangement& a, const Expression& expression, const 
   if (!run.begin("selection", 0.85)) return cancelled();
   const Selection selection = select(a, cells, expression);
   dump_if_asked("selection", [&] { return dump(selection); });
-  if (!selection.is_consistent)
-    return Error{ErrorCode::inconsistent,
-                 "the surfaces do not bound a solid: an operand that was trusted crosses itself or is not closed"};
+  if (!selection.is_consistent) return inconsistent(a, selection);
 
   if (!run.begin("body", 0.9)) return cancelled();
   Body result = assemble(a, selection);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <span>
+#include <sstream>
 #include <string>
 
 #include "tests/api/solids.h"
@@ -217,6 +219,18 @@ TEST(Solid, OperatorsThrowWhatNamedFunctionsReturn) {
   // It has no value: no operator may make one up.
   ASSERT_EQ(difference(a, {b}).error().code, ErrorCode::inconsistent);
   EXPECT_EQ(thrown([&] { return a - b; }), "inconsistent");
+  // The place is a corner of a face whose sides contradict each other.
+  const std::string where = difference(a, {b}).error().where;
+  std::set<std::string> corners;
+  for (const Solid& solid : {a, b}) {
+    const Mesh mesh = solid.to_triangles().value();
+    for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+      std::ostringstream text;
+      text << '(' << mesh.points[i] << ", " << mesh.points[i + 1] << ", " << mesh.points[i + 2] << ") grid steps";
+      corners.insert(text.str());
+    }
+  }
+  EXPECT_EQ(corners.count(where), 1U) << where;
 
   const auto agree = [](const Result<Solid>& named, auto&& work) {
     EXPECT_EQ(thrown(work), named ? "" : to_string(named.error().code));
