@@ -4,6 +4,7 @@
 #include "api/access.h"
 #include "booleans/body/canonical.h"
 #include "exact/rational.h"
+#include "grid/snap.h"
 
 namespace quoin {
 
@@ -153,14 +154,45 @@ grid::Lattice common_lattice(const grid::Lattice& from, const grid::Lattice& to)
   return r;
 }
 
+/// The first vertex that has the fault, or the first face whose plane has it, by its first corner. One has.
+std::string place_of(const Body& body, const grid::Lattice& from, const Map& map, Fault fault) {
+  const auto fails = [&](auto&& carry) {
+    Mover mover(map);
+    carry(mover);
+    return mover.fault() == fault;
+  };
+  const auto described = [&, rounder = grid::Rounder(from)](const exact::Point& p) {
+    const std::array<double, 3> x{rounder.to_double(p, 0), rounder.to_double(p, 1), rounder.to_double(p, 2)};
+    return grid::describe_point(x.data());
+  };
+
+  const auto place_in = [&](const auto& vertices, const auto& planes, const auto& first_corner) -> std::string {
+    for (const exact::Point& p : vertices)
+      if (fails([&](Mover& m) { m.point(p); })) return "vertex " + described(p);
+    for (std::size_t f = 0; f < planes.size(); ++f)
+      if (fails([&](Mover& m) { m.plane(planes[f]); })) return "face at " + described(first_corner(f));
+    return {};
+  };
+  if (map.divisor != 1) {
+    const auto form = booleans::canonical(body);
+    return place_in(form.vertices, form.planes,
+                    [&](std::size_t f) { return form.vertices[form.faces.corners_of(f)[0]]; });
+  }
+  for (const exact::GridPoint& p : body.grid_points)
+    if (fails([&](Mover& m) { m.grid_point(p); })) return "vertex " + described(exact::point(p));
+  return place_in(body.points, body.planes, [&](std::size_t f) { return body.point(body.polygons.corners_of(f)[0]); });
+}
+
 Error inexact(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
   const grid::Lattice common = common_lattice(from, to);
   std::optional<Body> result;
   const bool works = moved(body, map_between(from, common), result) == Fault::none;
-  return {ErrorCode::inexact_grid, "the solid on the grid of step " + exact::to_string(from.step) +
-                                       " is not exact on the grid of step " + exact::to_string(to.step) +
-                                       "; the step " + exact::to_string(works ? common.step : from.step) +
-                                       " would work"};
+  return {ErrorCode::inexact_grid,
+          "the solid on the grid of step " + exact::to_string(from.step) + " is not exact on the grid of step " +
+              exact::to_string(to.step) + "; the step " + exact::to_string(works ? common.step : from.step) +
+              " would work",
+          {},
+          place_of(body, from, map_between(from, to), Fault::inexact)};
 }
 
 Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
@@ -171,7 +203,9 @@ Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Latt
   return {ErrorCode::out_of_range,
           "the solid reaches beyond the world of +-2^29 steps of " + exact::to_string(to.step) +
               (works ? std::string("; the same step with the origin of its own grid would work")
-                     : "; the step " + exact::to_string(from.step) + " of its own grid, with its origin, would work")};
+                     : "; the step " + exact::to_string(from.step) + " of its own grid, with its origin, would work"),
+          {},
+          place_of(body, from, map_between(from, to), Fault::out_of_range)};
 }
 
 }  // namespace

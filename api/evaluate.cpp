@@ -18,6 +18,29 @@ using booleans::Rule;
 
 namespace {
 
+/// The error of one of the operands: "operand 3" before the place in it. `places` are empty where none is to be named.
+Error at_operand(Error error, const Flattened::Places& places, std::size_t operand) {
+  if (places.empty()) return error;
+  const std::string name = "operand " + std::to_string(places[operand]);
+  error.where = error.where.empty() ? name : name + ", " + error.where;
+  return error;
+}
+
+/// Puts the solids on one grid: their common one, else the finest among theirs.
+/// Errors: those of Solid::on_grid.
+Result<void> go_to_finest_grid(Flattened& f) {
+  const Grid finest = std::min_element(f.solids.begin(), f.solids.end(), [](const Solid& a, const Solid& b) {
+                        return Access::lattice(a).step < Access::lattice(b).step;
+                      })->grid();
+  for (std::size_t i = 0; i < f.solids.size(); ++i) {
+    if (f.solids[i].grid() == finest) continue;
+    auto moved = f.solids[i].on_grid(finest);
+    if (!moved) return at_operand(moved.error(), f.solid_places, i);
+    f.solids[i] = std::move(moved).value();
+  }
+  return {};
+}
+
 /// The half-spaces of an expression on one lattice, as planes whose first non-zero normal component is positive; a
 /// half-space on the other side of its plane is the complement. Rewrites the leaves.
 /// Errors: "bad-plane".
@@ -30,20 +53,23 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
     bool turned;
   };
   std::vector<Place> places;
-  for (const HalfSpace& h : f.half_spaces) {
+  for (std::size_t i = 0; i < f.half_spaces.size(); ++i) {
+    const HalfSpace& h = f.half_spaces[i];
+    const auto bad = [&](std::string message) {
+      return at_operand({ErrorCode::bad_plane, std::move(message)}, f.half_space_places, i);
+    };
     std::array<exact::Rational, 4> coefficients;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto number = exact::parse_rational(h.plane[k]);
       if (!number)
-        return Error{ErrorCode::bad_plane, "the coefficient \"" + h.plane[k].substr(0, 80) +
-                                               "\" of a plane is neither a decimal nor a rational p/q"};
+        return bad("the coefficient \"" + h.plane[k].substr(0, 80) +
+                   "\" of a plane is neither a decimal nor a rational p/q");
       coefficients[k] = *number;
     }
     const auto plane = grid::grid_plane(lattice, coefficients);
     if (!plane)
-      return Error{ErrorCode::bad_plane,
-                   "the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
-                       " has no normal, or its coefficients in grid steps are longer than 62 bits"};
+      return bad("the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
+                 " has no normal, or its coefficients in grid steps are longer than 62 bits");
     const bool turned = !exact::is_canonical(*plane);
     const exact::Plane key = turned ? plane->opposite() : *plane;
     const auto [at, is_new] = known.emplace(key, static_cast<std::uint32_t>(planes.size()));
@@ -64,15 +90,15 @@ bool is_identity(const booleans::Expression& e) {
   return e.nodes.size() == 1 && e.nodes[0].rule == Rule::operand && !e.nodes[0].negated;
 }
 
-/// As one Boolean, but for the terms that are known.
-Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& known, const Options& options) {
+/// As one Boolean, but for the terms that are known. Errors name operands unless the expression `is_part` of one.
+Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& known, bool is_part,
+                               const Options& options) {
   Flattened f = flattened(expression, known);
+  if (is_part) f.solid_places = f.half_space_places = {};
   if (f.solids.empty())
     return Error{ErrorCode::no_operand, "an expression without a solid has no grid; give it at least one solid"};
   if (options.cancel && options.cancel->load()) return Error{ErrorCode::cancelled, "the operation was cancelled"};
-  auto unified = on_finest_grid(std::move(f.solids));
-  if (!unified) return unified.error();
-  f.solids = std::move(unified).value();
+  if (const auto unified = go_to_finest_grid(f); !unified) return unified.error();
   const Grid grid = f.solids[0].grid();
   if (is_identity(f.expression)) return f.solids[f.expression.nodes[0].operand];
 
@@ -93,13 +119,14 @@ Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& k
 Result<Solid> evaluate_here(const Expression& expression, const Options& options) {
   const auto shared = large_shared_terms(expression);
   if (!shared) return shared.error();
+  const bool in_parts = !shared.value().empty();
   KnownTerms known;
   for (const Expression* term : shared.value()) {
-    auto solid = evaluate_at_once(*term, known, {.cancel = options.cancel});
+    auto solid = evaluate_at_once(*term, known, in_parts, {.cancel = options.cancel});
     if (!solid) return solid.error();
     known.emplace(Access::node(*term), std::move(solid).value());
   }
-  return evaluate_at_once(expression, known, options);
+  return evaluate_at_once(expression, known, in_parts, options);
 }
 
 /// A solid as an operand of one of the flat operations.
@@ -118,20 +145,6 @@ Result<Solid> evaluate_flat(Rule rule, const std::vector<const Solid*>& solids, 
   auto result = booleans::evaluate_in_parts(operands, expression, run_of(options));
   if (!result) return result.error();
   return Access::solid(solids[0]->grid(), std::move(result).value());
-}
-
-Result<std::vector<Solid>> on_finest_grid(std::vector<Solid> solids) {
-  if (solids.empty()) return solids;
-  const Grid finest = std::min_element(solids.begin(), solids.end(), [](const Solid& a, const Solid& b) {
-                        return Access::lattice(a).step < Access::lattice(b).step;
-                      })->grid();
-  for (Solid& solid : solids) {
-    if (solid.grid() == finest) continue;
-    auto moved = solid.on_grid(finest);
-    if (!moved) return moved.error();
-    solid = std::move(moved).value();
-  }
-  return solids;
 }
 
 Result<Solid> evaluate(const Expression& expression, const Options& options) {
@@ -163,7 +176,11 @@ Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_spa
     const double from = static_cast<double>(i) / 2;
     auto part =
         evaluate(i == 0 ? Expression(solid) - below : Expression(solid) & below, step_of(options, from, from + 0.5));
-    if (!part) return part.error();
+    if (!part) {
+      Error error = part.error();
+      if (error.code == ErrorCode::bad_plane) error.where = {};  // there is no other plane
+      return error;
+    }
     parts[i] = std::move(part).value();
   }
   return parts;

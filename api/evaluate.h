@@ -14,8 +14,4 @@ namespace quoin {
 Result<Solid> evaluate_flat(booleans::Rule rule, const std::vector<const Solid*>& solids, std::uint32_t negated_from,
                             const Options& options);
 
-/// The solids on one grid: their common one, else the finest among theirs.
-/// Errors: those of Solid::on_grid.
-Result<std::vector<Solid>> on_finest_grid(std::vector<Solid> solids);
-
 }  // namespace quoin

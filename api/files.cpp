@@ -43,9 +43,15 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
   if (format == Format::quoin)
     return Error{ErrorCode::unknown_format, "a .quoin file holds an exact solid, not a triangle mesh"};
   if (mesh.points.size() % 3 != 0)
-    return Error{ErrorCode::bad_index, "the number of coordinates is not a multiple of 3"};
+    return Error{ErrorCode::bad_index,
+                 "the number of coordinates is not a multiple of 3",
+                 {},
+                 "vertex " + std::to_string(mesh.points.size() / 3)};
   if (mesh.triangles.size() % 3 != 0)
-    return Error{ErrorCode::bad_index, "the number of triangle corners is not a multiple of 3"};
+    return Error{ErrorCode::bad_index,
+                 "the number of triangle corners is not a multiple of 3",
+                 {},
+                 "face " + std::to_string(mesh.triangles.size() / 3)};
 
   const std::size_t count = mesh.points.size() / 3;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

@@ -52,7 +52,8 @@ class Flattener {
         add_solid(node.solid, item);
         break;
       case ExpressionNode::Kind::half_space:
-        add({Rule::operand, item.negated, number(half_spaces_, &node, out_.half_spaces, node.half_space), item.parent},
+        add({Rule::operand, item.negated,
+             number(half_spaces_, &node, out_.half_spaces, node.half_space, out_.half_space_places), item.parent},
             true);
         break;
       case ExpressionNode::Kind::complement:
@@ -76,7 +77,8 @@ class Flattener {
   }
 
   void add_solid(const Solid& solid, const Item& item) {
-    add({Rule::operand, item.negated, number(solids_, Access::identity(solid), out_.solids, solid), item.parent});
+    add({Rule::operand, item.negated, number(solids_, Access::identity(solid), out_.solids, solid, out_.solid_places),
+         item.parent});
   }
 
   void push(const ExpressionNode& node, bool negated, std::uint32_t parent) {
@@ -84,17 +86,23 @@ class Flattener {
       pending_.push_back({Access::node(node.terms[i]), negated, parent});
   }
 
+  /// The number of a leaf's operand, which is listed if it is new.
   template <class Key, class Value>
-  static std::uint32_t number(std::map<Key, std::uint32_t>& known, Key key, std::vector<Value>& list,
-                              const Value& value) {
+  std::uint32_t number(std::map<Key, std::uint32_t>& known, Key key, std::vector<Value>& list, const Value& value,
+                       std::vector<std::uint32_t>& places) {
     const auto [at, is_new] = known.emplace(key, static_cast<std::uint32_t>(list.size()));
-    if (is_new) list.push_back(value);
+    if (is_new) {
+      list.push_back(value);
+      places.push_back(leaves_);
+    }
+    ++leaves_;
     return at->second;
   }
 
   const KnownTerms& known_;
   std::vector<Item> pending_;
   std::vector<bool> is_half_space_;  // by node
+  std::uint32_t leaves_ = 0;         // so far
   std::map<const booleans::Body*, std::uint32_t> solids_;
   std::map<const ExpressionNode*, std::uint32_t> half_spaces_;
   Flattened out_;

@@ -18,6 +18,9 @@ struct Flattened {
   booleans::Expression expression;
   std::vector<Solid> solids;
   std::vector<HalfSpace> half_spaces;
+  /// Where each stands first: its number among all leaves, in the order of the expression.
+  using Places = std::vector<std::uint32_t>;
+  Places solid_places = {}, half_space_places = {};
 };
 
 /// Terms in `known` are the solids that they have been found to be.

@@ -20,14 +20,17 @@ bool is_short(const Rational& v) {
   return fits(numerator(v)) && fits(denominator(v));
 }
 
-Result<Rational> number(std::string_view text, const char* name) {
+Error bad_number(std::string message, std::string where) {
+  return {ErrorCode::bad_number, std::move(message), {}, std::move(where)};
+}
+
+Result<Rational> number(std::string_view text, const std::string& name, const std::string& where) {
   const auto value = exact::parse_rational(text);
   if (!value)
-    return Error{ErrorCode::bad_number, "the " + std::string(name) + " \"" + std::string(text.substr(0, 80)) +
-                                            "\" is neither a decimal nor a rational p/q"};
+    return bad_number(
+        "the " + name + " \"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q", where);
   if (!is_short(*value))
-    return Error{ErrorCode::bad_number,
-                 "the " + std::string(name) + " has more than " + std::to_string(io::max_lattice_digits) + " digits"};
+    return bad_number("the " + name + " has more than " + std::to_string(io::max_lattice_digits) + " digits", where);
   return *value;
 }
 
@@ -54,13 +57,12 @@ Result<Grid> Grid::with_step(std::string_view step) { return with_step_and_origi
 
 Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<std::string, 3>& origin) {
   grid::Lattice lattice;
-  const auto s = number(step, "grid step");
+  const auto s = number(step, "grid step", "step");
   if (!s) return s.error();
-  if (s.value() <= 0)
-    return Error{ErrorCode::bad_number, "the grid step \"" + std::string(step) + "\" is not positive"};
+  if (s.value() <= 0) return bad_number("the grid step \"" + std::string(step) + "\" is not positive", "step");
   lattice.step = s.value();
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto o = number(origin[k], "grid origin");
+    const auto o = number(origin[k], "grid origin", std::string("origin, ") + "xyz"[k]);
     if (!o) return o.error();
     lattice.origin[k] = o.value();
   }

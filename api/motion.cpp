@@ -16,17 +16,21 @@ Error bad_axis(const char* what) {
   return {ErrorCode::bad_axis, std::string("the ") + what + " is 0: it has no direction"};
 }
 
-Result<Rational> number(std::string_view text) {
+Result<Rational> number(std::string_view text, std::string where) {
   if (const auto v = exact::parse_rational(text)) return *v;
   return Error{ErrorCode::bad_number,
-               "\"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q"};
+               "\"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q",
+               {},
+               std::move(where)};
 }
 
+/// `names`: of the numbers, a letter each.
 template <std::size_t N>
-Result<std::array<Rational, N>> numbers(const std::array<std::string, N>& texts) {
+Result<std::array<Rational, N>> numbers(const std::array<std::string, N>& texts, const std::string& what,
+                                        std::string_view names = "xyz") {
   std::array<Rational, N> r;
   for (std::size_t k = 0; k < N; ++k) {
-    const auto v = number(texts[k]);
+    const auto v = number(texts[k], what + ", " + names[k]);
     if (!v) return v.error();
     r[k] = v.value();
   }
@@ -85,21 +89,21 @@ Result<Motion> published(Result<rounding::Motion> motion) {
 }  // namespace
 
 Result<Motion> Motion::rotation(const Text3& axis, std::string_view degrees) {
-  const auto a = numbers(axis);
+  const auto a = numbers(axis, "axis");
   if (!a) return a.error();
-  const auto angle = number(degrees);
+  const auto angle = number(degrees, "angle");
   if (!angle) return angle.error();
   return published(rotation_of(a.value(), angle.value()));
 }
 
 Result<Motion> Motion::translation(const Text3& by) {
-  const auto v = numbers(by);
+  const auto v = numbers(by, "translation");
   if (!v) return v.error();
   return Access::motion(rounding::Motion::translation(v.value()));
 }
 
 Result<Motion> Motion::quaternion(const std::array<std::string, 4>& wxyz) {
-  const auto v = numbers(wxyz);
+  const auto v = numbers(wxyz, "quaternion", "wxyz");
   if (!v) return v.error();
   return published(turn_of(v.value()));
 }
@@ -107,7 +111,7 @@ Result<Motion> Motion::quaternion(const std::array<std::string, 4>& wxyz) {
 Result<Motion> Motion::matrix(const std::array<Text3, 3>& rows, double* deviation) {
   rounding::Matrix m;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto row = numbers(rows[i]);
+    const auto row = numbers(rows[i], "row " + std::to_string(i));
     if (!row) return row.error();
     m[i] = row.value();
   }
@@ -118,13 +122,13 @@ Result<Motion> Motion::matrix(const std::array<Text3, 3>& rows, double* deviatio
 }
 
 Result<Motion> Motion::mirror(const Text3& normal) {
-  const auto n = numbers(normal);
+  const auto n = numbers(normal, "normal");
   if (!n) return n.error();
   return published(mirror_of(n.value()));
 }
 
 Result<Motion> Motion::scaling(const Text3& by) {
-  const auto v = numbers(by);
+  const auto v = numbers(by, "factors");
   if (!v) return v.error();
   return published(scaling_of(v.value()));
 }

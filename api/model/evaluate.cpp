@@ -16,6 +16,32 @@ using ModelNode = Access::ModelNode;
 
 namespace {
 
+/// The corners of a primitive where its motion has it; none of a half-space.
+std::vector<double> corners_of(const Placed& p) {
+  constexpr double most = std::numeric_limits<double>::max();
+  std::vector<double> points;
+  if (!p.shape) return points;
+  const rounding::AffineMap map = composed(p.shape->to_model, p.motion->map);
+  for (const auto& v : p.shape->polyhedron.points)
+    // Beyond the doubles any coordinate is too far: the largest says so.
+    for (const Rational& x : map(v)) points.push_back(std::clamp(exact::to_double(x), -most, most));
+  return points;
+}
+
+/// One that fits all primitives. Errors: "out-of-range", naming the node.
+Result<Grid> grid_around(const Gathered& g) {
+  std::vector<std::vector<double>> corners;
+  for (const Placed& p : g.primitives) corners.push_back(corners_of(p));
+  const std::vector<std::span<const double>> meshes(corners.begin(), corners.end());
+  auto grid = fitting_grid(meshes);
+  if (grid) return grid;
+
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (const auto alone = fitting_grid(std::span(meshes).subspan(i, 1)); !alone)
+      return at_node(alone.error(), *g.leaves[i]);
+  return grid;
+}
+
 /// What the caller or the model asks for, else the finest grid of its solids, else one that fits the primitives.
 Result<Grid> chosen_grid(const Gathered& g, const std::optional<Grid>& asked) {
   if (asked) return *asked;
@@ -26,16 +52,7 @@ Result<Grid> chosen_grid(const Gathered& g, const std::optional<Grid>& asked) {
                [](const Solid& a, const Solid& b) { return Access::lattice(a).step < Access::lattice(b).step; })
         ->grid();
 
-  constexpr double most = std::numeric_limits<double>::max();
-  std::vector<double> points;
-  for (const Placed& p : g.primitives) {
-    if (!p.shape) continue;
-    const rounding::AffineMap map = composed(p.shape->to_model, p.motion->map);
-    for (const auto& v : p.shape->polyhedron.points)
-      // Beyond the doubles any coordinate is too far: the largest says so.
-      for (const Rational& x : map(v)) points.push_back(std::clamp(exact::to_double(x), -most, most));
-  }
-  return fitting_grid(std::array{std::span<const double>(points)});
+  return grid_around(g);
 }
 
 /// An error of `place` says the primitive's number: the node says more.

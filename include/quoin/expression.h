@@ -40,7 +40,9 @@ class QUOIN_API Expression {
 };
 
 /// Evaluates an expression in one arrangement. Operands of different grids go to the finest one if that is exact.
-/// Errors: "inexact-grid", "cancelled", "inconsistent" (an operand trusted wrongly), "no-operand", "bad-plane".
+/// Errors: "inexact-grid", "cancelled", "inconsistent" (an operand trusted wrongly), "no-operand", "bad-plane". Of an
+/// operand that cannot take part `where` begins with its number, "operand 3": solids and half-spaces are counted from 0
+/// in the order in which the expression names them.
 QUOIN_API Result<Solid> evaluate(const Expression& expression, const Options& options = {});
 
 }  // namespace quoin

@@ -25,7 +25,8 @@ class QUOIN_API Grid {
   /// A grid of the given step: "1/1000", "0.001" or "1e-3" model units; positive.
   /// Errors: "bad-number".
   static Result<Grid> with_step(std::string_view step);
-  /// A grid of the given step whose origin is (x, y, z), each a rational or decimal in model units.
+  /// A grid of the given step whose origin is (x, y, z), each a rational or decimal in model units. `where` of an error
+  /// is "step" or "origin, y".
   static Result<Grid> with_step_and_origin(std::string_view step, const std::array<std::string, 3>& origin);
   /// The default grid for a box in model units: the smallest power-of-two step at which it fits |i| <= 2^26; the
   /// origin is 0 unless the box lies far from it for its size, then a multiple of the step near its centre.

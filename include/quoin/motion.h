@@ -45,7 +45,7 @@ struct MotionInfo {
 
 /// A motion: rotations, translations, mirror images and scalings in a row, composed exactly. Angles about one axis that
 /// follow each other are added as they were stated, so 360 rotations by 1 degree are the identity, as is a motion
-/// followed by its inverse. An immutable value.
+/// followed by its inverse. An immutable value. `where` of "bad-number" is the number: "axis, y", "row 2, x".
 class QUOIN_API Motion {
  public:
   /// The identity.

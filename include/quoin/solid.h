@@ -84,7 +84,8 @@ class QUOIN_API Solid {
   static Result<Solid> from_quoin(std::string_view text, Trust trust = Trust::nothing);
 
   const Grid& grid() const;
-  /// The same point set on another grid. Errors: "inexact-grid" (naming a step that would work), "out-of-range".
+  /// The same point set on another grid. Errors: "inexact-grid" (naming a step that would work), "out-of-range";
+  /// `where` is a vertex or a face that does not fit, by its coordinates.
   Result<Solid> on_grid(const Grid& grid) const;
 
   bool is_empty() const;
@@ -137,7 +138,8 @@ struct HalfSpace {
 };
 
 /// Errors of all: "cancelled", "inconsistent" (an operand trusted wrongly); of operands on different grids, which go to
-/// the finest one where that is exact, "inexact-grid" and "out-of-range"; of no operands, "no-operand".
+/// the finest one where that is exact, "inexact-grid" and "out-of-range", with `where` beginning with the number of the
+/// operand, "operand 3", from 0; of no operands, "no-operand".
 QUOIN_API Result<Solid> unite(const std::vector<Solid>& solids, const Options& options = {});
 QUOIN_API Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options = {});
 /// `minuend` minus all of `subtrahends`.

@@ -94,6 +94,13 @@ TEST(Convert, ComplementsEmptyAndFull) {
   EXPECT_TRUE(Solid::full(Grid()).on_grid(grid_of("1e300")).value() == Solid::full(fine));
 }
 
+/// A tetrahedron whose planes have normals near 2^60, which few grids can hold, but that of its own.
+Solid unwieldy(const Grid& grid = {}) {
+  return tetrahedron({Corner{-536870911, 1, 2}, Corner{536870909, -536870912, 7}, Corner{12345, 536870911, -536870912},
+                      Corner{3, 5, 536870911}},
+                     grid);
+}
+
 TEST(Convert, Refusals) {
   const Solid a = box({0, 0, 0}, {1, 1, 1});
   const auto far = a.on_grid(grid_of("1e-9"));
@@ -101,13 +108,29 @@ TEST(Convert, Refusals) {
   EXPECT_EQ(far.error().code, ErrorCode::out_of_range);
   EXPECT_NE(far.error().message.find("step 1 "), std::string::npos) << far.error().message;
 
-  // Its plane has normals near 2^60: a step that multiplies them cannot hold it.
-  const Solid large = tetrahedron({Corner{-536870911, 1, 2}, Corner{536870909, -536870912, 7},
-                                   Corner{12345, 536870911, -536870912}, Corner{3, 5, 536870911}});
-  const auto inexact = large.on_grid(Grid::with_step_and_origin("1000", {"1", "2", "3"}).value());
+  const auto inexact = unwieldy().on_grid(Grid::with_step_and_origin("1000", {"1", "2", "3"}).value());
   ASSERT_FALSE(inexact);
   EXPECT_EQ(inexact.error().code, ErrorCode::inexact_grid);
   EXPECT_NE(inexact.error().message.find("the step "), std::string::npos);
+}
+
+// The second way: where the coordinates or the planes leave their bounds, by hand.
+TEST(Convert, RefusalsNameThePlace) {
+  const auto where = [](const Solid& solid, const Grid& grid) {
+    const auto there = solid.on_grid(grid);
+    return there ? "it is there" : there.error().where;
+  };
+  // Corners in their canonical order, and in that of the mesh where grid points stay grid points.
+  EXPECT_EQ(where(box({0, 0, 0}, {1, 1, 1}), grid_of("1e-9")), "vertex (1, 0, 0)");
+  EXPECT_EQ(
+      where(box({0, 0, 0}, {1, 2, 3}, grid_of("1/2")), Grid::with_step_and_origin("1/2", {"0", "0", "5e8"}).value()),
+      "vertex (0, 0, 0)");
+  const Solid cut = box({0, 0, 0}, {6, 6, 6}) - tetrahedron({Corner{1, 1, 1}, {9, 2, 1}, {1, 9, 2}, {2, 1, 9}});
+  EXPECT_EQ(where(cut, grid_of("1e-8")).substr(0, 8), "vertex (");
+
+  const Grid coarse = Grid::with_step_and_origin("1000", {"1", "2", "3"}).value();
+  EXPECT_EQ(where(unwieldy(), coarse), "face at (-536870911, 1, 2)");
+  EXPECT_EQ(where(~unwieldy(), coarse), "face at (-536870911, 1, 2)");
 }
 
 TEST(Grid, Doors) {
@@ -117,6 +140,8 @@ TEST(Grid, Doors) {
   for (const char* text : {"", "0", "-1", "x", "1/0", "nan", "1e999"})
     EXPECT_EQ(Grid::with_step(text).error().code, ErrorCode::bad_number) << text;
   EXPECT_EQ(Grid::with_step_and_origin("1", {"0", "zero", "0"}).error().code, ErrorCode::bad_number);
+  EXPECT_EQ(Grid::with_step_and_origin("1", {"0", "zero", "0"}).error().where, "origin, y");
+  EXPECT_EQ(Grid::with_step("-1").error().where, "step");
   EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, HUGE_VAL, 1}).error().code, ErrorCode::non_finite);
   EXPECT_EQ(Grid::fitting({0, 0, 0}, {1, 1e308, 1}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(Grid::fitting({-1, 0, 0}, {1, 1, 1}).value().step(), "1/67108864");

@@ -190,5 +190,33 @@ TEST(Expression, GridsGoToTheFinest) {
   EXPECT_EQ(volume(both.value()), "2");
 }
 
+// Grids far apart: what is on one cannot go to the other.
+TEST(Expression, ErrorsNameTheOperand) {
+  const Grid far = Grid::with_step_and_origin("1/2", {"0", "0", "1e9"}).value();
+  const Solid a = box({0, 0, 0}, {1, 1, 1}), b = box({2, 0, 0}, {3, 1, 1}),
+              fine = box({0, 0, 1e9}, {1, 1, 1e9 + 1}, far);
+  const auto place = [](const Result<Solid>& result) { return result ? "none" : result.error().where; };
+  // The first that has to move, by its place among all; a solid that stands in several by the first of them.
+  EXPECT_EQ(place(unite({fine, fine, a, b})), "operand 2, vertex (0, 0, 0)");
+  EXPECT_EQ(place(difference(fine, {b, a})), "operand 1, vertex (2, 0, 0)");
+  EXPECT_EQ(place(difference(a, {fine})), "operand 0, vertex (0, 0, 0)");
+  EXPECT_EQ(place(evaluate((Expression(fine) + half("1", "0", "0", "0")) & ~(Expression(b) ^ a))),
+            "operand 2, vertex (2, 0, 0)");
+  EXPECT_EQ(unite({fine, a}).error().code, ErrorCode::out_of_range);
+
+  EXPECT_EQ(place(evaluate(Expression(a) & half("1", "0", "0", "0") & half("1", "x", "0", "0"))), "operand 2");
+  EXPECT_EQ(place(evaluate(Expression(a) - half("0", "0", "0", "1"))), "operand 1");
+  // Of a split there is one plane.
+  const auto parts = split(a, HalfSpace{{"0", "0", "0", "1"}});
+  ASSERT_FALSE(parts);
+  EXPECT_EQ(parts.error().code, ErrorCode::bad_plane);
+  EXPECT_EQ(parts.error().where, "");
+
+  // What is evaluated in parts has no numbers: the place in the operand remains.
+  Expression large = a;
+  for (int i = 0; i < 300; ++i) large = large + box({0, 0, 0}, {i + 1.0, 1, 1}) + fine;
+  EXPECT_EQ(place(evaluate(large & (large - b))), "vertex (0, 0, 0)");
+}
+
 }  // namespace
 }  // namespace quoin::api_test

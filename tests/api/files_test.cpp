@@ -236,6 +236,12 @@ TEST_F(Files, OneFileAtATime) {
 
 TEST(ToBytes, RefusesWhatIsNoMesh) {
   const Mesh good = box_mesh({0, 0, 0}, {1, 1, 1});
+  Mesh half = good;
+  half.points.pop_back();
+  EXPECT_EQ(to_bytes(half, Format::off).error().where, "vertex 7");
+  half = good;
+  half.triangles.pop_back();
+  EXPECT_EQ(to_bytes(half, Format::off).error().where, "face 11");
   for (const Format format :
        {Format::stl, Format::stl_ascii, Format::obj, Format::off, Format::ply, Format::ply_ascii}) {
     EXPECT_TRUE(to_bytes(good, format));

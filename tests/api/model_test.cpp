@@ -280,6 +280,11 @@ TEST(Model, HalfSpacesOfLongNumbers) {
 TEST(Model, NumbersBeyondTheDoubles) {
   for (const char* size : {"1e308", "1e309", "1e399"})
     EXPECT_EQ(evaluate(block(size, "1", "1")).error().code, ErrorCode::out_of_range) << size;
+  // Of several the one that is too far.
+  const auto far = evaluate(block("1", "1", "1") + block("1", "1e309", "1").named("pole"));
+  ASSERT_FALSE(far);
+  EXPECT_EQ(far.error().where.rfind("block \"pole\", vertex ", 0), 0U) << far.error().where;
+  EXPECT_NE(far.error().where.find(", 1.797"), std::string::npos) << far.error().where;
   MotionReport report;
   const Model part = block("1e340", "1e340", "1e340").rotated({"0", "0", "1"}, "30").with_step("1e336");
   ASSERT_TRUE(evaluate(part, {}, &report));
