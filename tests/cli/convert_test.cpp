@@ -31,6 +31,22 @@ TEST_F(CliTest, WhatRoundingDoesIsThatOfTheFormat) {
   }
 }
 
+// The second way: triangulating large faces asks for signs. A file and its summary ask for as many as the summary
+// alone.
+TEST_F(CliTest, ConvertTriangulatesOnce) {
+  put("prism.json", R"({"quoin-model": 1, "step": "1/1000", "model":
+    {"cylinder": {"radius": 10, "height": 4, "sides": 200}}})");
+  ASSERT_EQ(run({"eval", "prism.json", "-o", "prism.quoin"}).code, 0);
+  const auto signs = [&](Words words) {
+    for (const char* option : {"--json", "--stats", "--threads", "1"}) words.push_back(option);
+    return run(words).json()["statistics"]["filter"].get<std::uint64_t>();
+  };
+  const std::uint64_t info = signs({"info", "prism.quoin"});
+  EXPECT_GT(info, signs({"check", "prism.quoin"}));
+  for (const char* topology : {"manifold", "indexed"})
+    EXPECT_EQ(signs({"convert", "prism.quoin", "-o", "out.off", "--output-topology", topology}), info) << topology;
+}
+
 TEST_F(CliTest, AsciiVariantIsChosenByFormat) {
   ASSERT_EQ(run({"convert", "a.off", "-o", "text.stl", "--format", "stl-ascii"}).code, 0);
   ASSERT_EQ(run({"convert", "a.off", "-o", "binary.stl"}).code, 0);
