@@ -124,8 +124,14 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
     // An option of exactly one value takes the next word whatever it starts with: "-1,0,0,5" needs no "=".
     app->add_option("--plane", raw.plane, "a,b,c,d of a x + b y + c z + d = 0, model units.")->required();
   }
-  app->add_option("--step", raw.step, "Grid step in model units, e.g. 1/1000 or 0.001; default: fits the operands.");
-  app->add_flag("--trust", a.trust, "Skip the proof that no operand crosses itself.");
+  app->add_option("--step", raw.step,
+                  std::string("Grid step in model units, e.g. 1/1000 or 0.001; default: that of ") +
+                      (a.command == Command::eval ? "the model, of a solid in it" : "a .quoin operand") +
+                      ", or one that fits.");
+  app->add_flag("--trust", a.trust,
+                a.command == Command::check || a.command == Command::eval
+                    ? "Changes nothing here: all is proved."
+                    : "Skip the proof that no operand crosses itself.");
   app->add_option("--format", raw.format,
                   format_names() +
                       ": what \"-\" is, and files without a known extension; also chooses among the formats of an "

@@ -53,6 +53,7 @@ Examples:
   quoin move part.stl --mirror x -o left.stl)"},
     {Command::eval, "eval", "Evaluates a model: primitives, motions and Booleans in a JSON file.",
      R"(The format is described in docs/model-format.md. All motions above a primitive act at once, and it is rounded once.
+eval always proves that no mesh or solid of the model crosses itself: --trust changes nothing.
 Examples:
   quoin eval bracket.json -o bracket.stl
   quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},
@@ -64,7 +65,7 @@ Examples:
   quoin info part.quoin --json
   quoin info - --format stl < part.stl)"},
     {Command::check, "check", "Says whether A is a valid solid, and what import did to it.",
-     R"(Exit code 0: valid; 1: refused, and the error says why and where. --quiet prints nothing.
+     R"(Exit code 0: valid; 1: refused, and the error says why and where. --quiet prints nothing but that error.
 check always proves that the surface does not cross itself: --trust changes nothing.
 Examples:
   quoin check scan.ply
@@ -146,7 +147,8 @@ Units: meshes are read without a unit. Quoin takes their numbers as they are ("m
 
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
   of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.
-  The largest move is reported as max_snap. A .quoin operand fixes the grid.
+  The largest move is reported as max_snap. A .quoin operand brings its grid along, which --step replaces where that is
+  exact.
 
 Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
   among others, since nothing is left of it; --quiet suppresses it.

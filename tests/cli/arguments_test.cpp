@@ -5,6 +5,10 @@
 namespace quoin::cli_test {
 namespace {
 
+constexpr std::array<const char*, 11> all_commands = {
+    "union", "intersection", "difference", "symmetric-difference", "complement", "split", "move", "eval",
+    "info",  "check",        "convert"};
+
 TEST_F(CliTest, VersionAndHelp) {
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.code, 0);
@@ -15,12 +19,20 @@ TEST_F(CliTest, VersionAndHelp) {
   EXPECT_EQ(run({"union", "--version"}).out, version.out);
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const char* command : {"union", "intersection", "difference", "symmetric-difference", "complement", "split",
-                              "info", "check", "convert"}) {
+  for (const char* command : all_commands) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
     const Outcome one = run({command, "--help"});
     EXPECT_EQ(one.code, 0) << command;
     EXPECT_NE(one.out.find("Examples:"), std::string::npos) << command;
+  }
+}
+
+TEST_F(CliTest, HelpSaysWhereTrustChangesNothing) {
+  for (const char* command : all_commands) {
+    const bool proves = std::string(command) == "eval" || std::string(command) == "check";
+    const std::string help = run({command, "--help"}).out;
+    EXPECT_EQ(help.find("Changes nothing here") != std::string::npos, proves) << command;
+    EXPECT_EQ(help.find("Skip the proof") == std::string::npos, proves) << command;
   }
 }
 

@@ -64,6 +64,22 @@ TEST_F(CliTest, EvalSaysWhatImportDidToMeshes) {
   for (const auto& [key, value] : alone.items()) EXPECT_EQ(key == "file" ? Json("two.off") : import[0][key], value);
 }
 
+// A mesh of two cubes that overlap.
+TEST_F(CliTest, EvalProvesMeshesInAnyCase) {
+  const auto points = [](const std::string& text) { return text.substr(10, text.find("4 0 2 3 1") - 10); };
+  put("two.off", "OFF\n16 12 0\n" + points(cube("0", "2")) + points(cube("1", "3")) +
+                     "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n" +
+                     "4 8 10 11 9\n4 12 13 15 14\n4 8 9 13 12\n4 10 14 15 11\n4 8 12 14 10\n4 9 11 15 13\n");
+  put("model.json", R"({"quoin-model": 1, "model": {"mesh": {"file": "two.off"}}})");
+  for (const Words& words : std::vector<Words>{{"eval", "model.json", "-o", "out.quoin"},
+                                               {"eval", "model.json", "-o", "out.quoin", "--trust"}}) {
+    const Outcome r = run(words);
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("./two.off: resolved crossings "), std::string::npos) << r.out;
+    EXPECT_EQ(run({"info", "out.quoin", "--json"}).json()["volume"], "15");
+  }
+}
+
 TEST_F(CliTest, EvalOfAModelWithoutMeshesImportsNothing) {
   put("box.json", R"({"quoin-model": 1, "model": {"block": {"size": [1, 2, 3]}}})");
   EXPECT_EQ(run({"eval", "box.json", "-o", "out.off"}).out.find("snap"), std::string::npos);
