@@ -75,7 +75,8 @@ std::optional<Box> bounds(const Body& body) {
   if (body.face_count() == 0) return std::nullopt;
   Box box;
   body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t f = begin; f < end; ++f) box.add(face_box(body, f));
+    for (std::uint32_t f = begin; f < end; ++f)
+      body.for_corners(f, [&](std::uint32_t v) { box.add(body.approximation(v)); });
   });
   return box;
 }

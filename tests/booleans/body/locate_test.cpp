@@ -93,5 +93,33 @@ TEST(Locate, Bounds) {
   EXPECT_EQ(box_of->high, (std::array<std::int32_t, 3>{4, 4, 2}));
 }
 
+// A derived point in the middle of an edge: its whole coordinates are those of the edge.
+TEST(Locate, BoundsAreThoseOfThePointSet) {
+  const Boundary without = canonical(box({0, 0, 0}, {4, 4, 1}));
+  Boundary with;
+  with.vertices = without.vertices;
+  with.planes = without.planes;
+  const auto middle = static_cast<std::uint32_t>(with.vertices.size());
+  with.vertices.push_back(*exact::meet({{1, 0, 0}, -4}, {{0, 1, 0}, -4}, {{0, 0, 2}, -1}));
+  const auto is_end = [&](std::uint32_t v) {
+    const exact::GridPoint p = exact::grid_point(with.vertices[v]);
+    return p[0] == 4 && p[1] == 4;
+  };
+  for (std::size_t f = 0; f < without.face_count(); ++f) {
+    without.faces.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
+      with.faces.corners.push_back(u);
+      if (is_end(u) && is_end(v)) with.faces.corners.push_back(middle);
+    });
+    with.faces.end_loop();
+    with.faces.end_face();
+  }
+
+  const Body a = body_of(without), b = body_of(with);
+  EXPECT_EQ(b.points.size(), 1u);
+  EXPECT_EQ(bounds(a)->low, bounds(b)->low);
+  EXPECT_EQ(bounds(a)->high, bounds(b)->high);
+  EXPECT_TRUE(canonical(a) == canonical(b));
+}
+
 }  // namespace
 }  // namespace quoin::booleans::testing
