@@ -10,12 +10,12 @@ namespace quoin::booleans {
 namespace {
 
 /// An edge of a face, the lower vertex first; or a vertex of a face, twice.
-struct Part {
+struct FacePart {
   VertexId u, v;
   TouchedId face;
 
-  Part(VertexId a, VertexId b, TouchedId f) : u(std::min(a, b)), v(std::max(a, b)), face(f) {}
-  friend auto operator<=>(const Part&, const Part&) = default;
+  FacePart(VertexId a, VertexId b, TouchedId f) : u(std::min(a, b)), v(std::max(a, b)), face(f) {}
+  friend auto operator<=>(const FacePart&, const FacePart&) = default;
 };
 
 /// A vertex where something was added or lost, and a face that has it, or has it not, as a part; none where no single
@@ -40,7 +40,7 @@ class SheetProof {
  private:
   /// A face has its edges, on the one side that it lies on or on both, and its touching vertices; and it has no others.
   std::optional<Disturbance> in_parts() const {
-    std::vector<Part> own, drawn;
+    std::vector<FacePart> own, drawn;
     for (const TouchedId f : faces_) {
       for (const BoundaryEdge& e : touched_.edges_of(f)) own.emplace_back(e.from, e.to, f);
       for (const VertexId v : touched_.isolated_of(f)) own.emplace_back(v, v, f);
@@ -57,7 +57,7 @@ class SheetProof {
     const auto [d, o] = std::mismatch(drawn.begin(), drawn.end(), own.begin(), own.end());
     if (d == drawn.end() && o == own.end()) return std::nullopt;
     // The smaller one is in one list only.
-    const Part& odd = d == drawn.end() || (o != own.end() && *o < *d) ? *o : *d;
+    const FacePart& odd = d == drawn.end() || (o != own.end() && *o < *d) ? *o : *d;
     return Disturbance{odd.u, odd.face};
   }
 
@@ -113,7 +113,7 @@ class MeetingFaces {
  private:
   bool have_strange_contact(TouchedId f, TouchedId g) {
     const auto has = [&](TouchedId t, VertexId u, VertexId v) {
-      return std::binary_search(parts_.begin(), parts_.end(), Part(u, v, t));
+      return std::binary_search(parts_.begin(), parts_.end(), FacePart(u, v, t));
     };
     const auto is_strange = [&](VertexId u, VertexId v) { return !has(f, u, v) || !has(g, u, v); };
     const Contacts contacts = find_contacts(a_.touched, {{f, g}}, a_.names);
@@ -125,7 +125,7 @@ class MeetingFaces {
 
   Arrangement& a_;
   std::vector<TouchedPair> pairs_;
-  std::vector<Part> parts_;
+  std::vector<FacePart> parts_;
 };
 
 /// Distinct and ascending, by their numbers in the body.
