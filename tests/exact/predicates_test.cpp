@@ -587,5 +587,28 @@ TEST(PredicatesTest, E35IncidencesAgree) {
   EXPECT_GT(ordered, 10000);
 }
 
+// Against rationals, at the ends of the world and beside the plane of three points.
+TEST(PredicatesTest, OrientationOfGridPoints) {
+  std::mt19937_64 random = generator(430);
+  std::map<int, int> seen;
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t size = i % 2 == 0 ? world : 4;
+    std::array<GridPoint, 4> p;
+    for (GridPoint& q : p)
+      for (std::int32_t& x : q.c) x = static_cast<std::int32_t>(between(random, -size, size));
+    if (i % 3 == 0)  // on the plane, or a step beside it
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t x = std::int64_t{p[1].c[k]} + p[2].c[k] - p[0].c[k] + (k == 0 ? between(random, -1, 1) : 0);
+        p[3].c[k] = static_cast<std::int32_t>(std::clamp(x, -std::int64_t{world}, std::int64_t{world}));
+      }
+    std::array<Vector, 4> v;
+    for (std::size_t j = 0; j < 4; ++j) v[j] = {Rational(p[j].c[0]), Rational(p[j].c[1]), Rational(p[j].c[2])};
+    const int expected = sign_of(dot(cross(minus(v[1], v[0]), minus(v[2], v[0])), minus(v[3], v[0])));
+    ASSERT_EQ(orientation(p[0], p[1], p[2], p[3]), expected);
+    ++seen[expected];
+  }
+  for (const int s : {-1, 0, 1}) EXPECT_GT(seen[s], 500);
+}
+
 }  // namespace
 }  // namespace quoin::exact::testing
