@@ -4,6 +4,7 @@
 #include <map>
 
 #include "api/access.h"
+#include "api/common_grid.h"
 #include "api/flatten.h"
 #include "api/run.h"
 #include "booleans/half_spaces.h"
@@ -29,9 +30,7 @@ Error at_operand(Error error, const Flattened::Places& places, std::size_t opera
 /// Puts the solids on one grid: their common one, else the finest among theirs.
 /// Errors: those of Solid::on_grid.
 Result<void> go_to_finest_grid(Flattened& f) {
-  const Grid finest = std::min_element(f.solids.begin(), f.solids.end(), [](const Solid& a, const Solid& b) {
-                        return Access::lattice(a).step < Access::lattice(b).step;
-                      })->grid();
+  const Grid finest = finest_grid(f.solids);
   for (std::size_t i = 0; i < f.solids.size(); ++i) {
     if (f.solids[i].grid() == finest) continue;
     auto moved = f.solids[i].on_grid(finest);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/access.h"
+#include "api/common_grid.h"
 #include "api/evaluate.h"
 #include "api/import.h"
 #include "api/run.h"
@@ -74,22 +75,14 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
 
 /// The grid of all sources together.
 Result<Grid> common_grid(const std::vector<Source>& sources) {
-  const Source* finest = nullptr;
+  std::vector<Solid> exact;
   for (const Source& source : sources)
-    if (source.exact &&
-        (finest == nullptr || Access::lattice(*source.exact).step < Access::lattice(*finest->exact).step))
-      finest = &source;
-  if (finest) return finest->exact->grid();
+    if (source.exact) exact.push_back(*source.exact);
+  if (!exact.empty()) return finest_grid(exact);
 
   std::vector<std::span<const double>> meshes;
   for (const Source& source : sources) meshes.emplace_back(source.mesh.points);
-  auto grid = fitting_grid(meshes);
-  if (grid) return grid;
-
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    if (const auto alone = fitting_grid(std::span(meshes).subspan(i, 1)); !alone)
-      return in_file(alone.error(), sources[i].name);
-  return grid.error();
+  return fitting_grid_of(meshes, [&](const Error& error, std::size_t i) { return in_file(error, sources[i].name); });
 }
 
 /// One source on the common grid.

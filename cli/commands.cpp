@@ -139,8 +139,8 @@ Result<Operands> load(Session& session, Trust trust) {
   Operands operands{std::move(solids).value(), {}};
   for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
   warn_of_losses(a, operands.imports);
-  for (std::size_t i = 0; i < reports.size() && !a.quiet; ++i)
-    warn_of_nothing_left(a.inputs[i], operands.solids[i], reports[i]);
+  if (!a.quiet)
+    for (std::size_t i = 0; i < reports.size(); ++i) warn_of_nothing_left(a.inputs[i], operands.solids[i], reports[i]);
   return operands;
 }
 

@@ -1,4 +1,5 @@
 #include "api/evaluate.h"
+#include "api/common_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -33,26 +34,14 @@ Result<Grid> grid_around(const Gathered& g) {
   std::vector<std::vector<double>> corners;
   for (const Placed& p : g.primitives) corners.push_back(corners_of(p));
   const std::vector<std::span<const double>> meshes(corners.begin(), corners.end());
-  auto grid = fitting_grid(meshes);
-  if (grid) return grid;
-
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (const auto alone = fitting_grid(std::span(meshes).subspan(i, 1)); !alone)
-      return at_node(alone.error(), *g.leaves[i]);
-  return grid;
+  return fitting_grid_of(meshes, [&](const Error& error, std::size_t i) { return at_node(error, *g.leaves[i]); });
 }
 
 /// What the caller or the model asks for, else the finest grid of its solids, else one that fits the primitives.
 Result<Grid> chosen_grid(const Gathered& g, const std::optional<Grid>& asked) {
   if (asked) return *asked;
   if (!g.step.empty()) return Grid::with_step(g.step);
-  if (!g.solids.empty())
-    return std::min_element(
-               g.solids.begin(), g.solids.end(),
-               [](const Solid& a, const Solid& b) { return Access::lattice(a).step < Access::lattice(b).step; })
-        ->grid();
-
-  return grid_around(g);
+  return g.solids.empty() ? grid_around(g) : finest_grid(g.solids);
 }
 
 /// An error of `place` says the primitive's number: the node says more.
