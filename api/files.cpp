@@ -9,7 +9,6 @@
 #include "api/run.h"
 #include "io/formats.h"
 #include "io/mesh.h"
-#include "quoin/process.h"
 
 namespace quoin {
 namespace {
@@ -190,19 +189,18 @@ Result<std::string> to_bytes(const Mesh& mesh, Format format) {
   return io::write_mesh(mesh.points, mesh.triangles, format);
 }
 
-Result<void> write_bytes(const std::string& path, std::string_view bytes) {
-  const auto written = io::write_file(path, bytes);
+Result<void> write_bytes(const std::string& path, std::string_view bytes, const Cancel* cancel) {
+  const auto written = io::write_file(path, bytes, cancel);
   if (!written) return in_file(written.error(), path);
   return {};
 }
 
-void abandon_temporary_files() { io::abandon_temporary_files(); }
 
 Result<void> Solid::write(const std::string& path, const ExportOptions& options) const {
   const auto format = format_of(path);
   if (!format) return format.error();
   const FormatInfo& info = info_of(format.value());
-  if (info.is_exact) return write_bytes(path, to_quoin());
+  if (info.is_exact) return write_bytes(path, to_quoin(), options.run.cancel);
 
   ExportOptions rounding = options;
   rounding.float32 = options.float32 || info.is_float32;
@@ -210,7 +208,7 @@ Result<void> Solid::write(const std::string& path, const ExportOptions& options)
   if (!mesh) return in_file(mesh.error(), path);
   const auto bytes = to_bytes(mesh.value(), format.value());
   if (!bytes) return in_file(bytes.error(), path);
-  return write_bytes(path, bytes.value());
+  return write_bytes(path, bytes.value(), options.run.cancel);
 }
 
 }  // namespace quoin

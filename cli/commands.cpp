@@ -396,8 +396,10 @@ Result<void> run_writing(Session& session) {
   }
   // Nothing is written before everything is ready.
   for (const auto& output : outputs) {
-    const auto written = session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes); });
-    if (!written) return written.error();
+    const PolledStage guard;
+    const auto written =
+        session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes, &cancel_flag()); });
+    if (!written) return written.error().code == ErrorCode::cancelled ? cancelled_error() : written.error();
   }
   if (a.json) return say(a, result_json(session, operands.value(), results.value().motion, outputs), "");
   std::string text;

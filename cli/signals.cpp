@@ -3,7 +3,6 @@
 #include <csignal>
 #include <cstring>
 
-#include <quoin/process.h>
 #include <unistd.h>
 
 namespace quoin::cli {
@@ -28,7 +27,6 @@ void put(int descriptor, const char* text) {
 extern "C" void quoin_cli_handle_signal(int) {
   const bool first = !cancelled.exchange(true);
   if (first && polled.load()) return;
-  abandon_temporary_files();
   put(STDERR_FILENO, sentence);
   if (print_json.load()) put(STDOUT_FILENO, object);
   ::_exit(exit_interrupted);
@@ -41,10 +39,9 @@ void install_signal_handlers(bool json) {
   struct sigaction action = {};
   action.sa_handler = quoin_cli_handle_signal;
   sigemptyset(&action.sa_mask);
-  // One signal at a time: the handler unlinks and exits.
+  // One signal at a time. A write that waits for its reader is interrupted, and asks for the flag.
   sigaddset(&action.sa_mask, SIGINT);
   sigaddset(&action.sa_mask, SIGTERM);
-  action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);

@@ -17,7 +17,7 @@ void install_signal_handlers(bool json);
 const Cancel& cancel_flag();
 
 /// While one lives, the running stage polls `cancel_flag()`, and only the second signal ends the process at once.
-/// Outside, stages that cannot poll (reading, writing) are running and the first signal does.
+/// Outside, stages that cannot poll (reading, formatting) are running and the first signal does.
 class PolledStage {
  public:
   PolledStage();

@@ -4,33 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <climits>
 #include <cstdlib>
-#include <cstring>
-#include <mutex>
+#include <string>
 #include <system_error>
 
 #include "io/mesh.h"
 
 namespace quoin::io {
 namespace {
-
-#ifdef PATH_MAX
-constexpr std::size_t max_path = PATH_MAX;
-#else
-constexpr std::size_t max_path = 4096;
-#endif
-
-/// Held during a write: there is one temporary file at a time.
-std::mutex write_mutex;
-/// The path of the temporary file, valid while the flag is set.
-std::array<char, max_path> temporary_path;
-std::atomic<bool> has_temporary = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only read lock-free atomics");
 
 std::string reason(int code) { return std::generic_category().message(code); }
 
@@ -41,6 +25,7 @@ Error unreadable(const std::string& path, int code) {
 }
 
 Error unwritable(const std::string& path, int code) {
+  if (code == ECANCELED) return Error{ErrorCode::cancelled, "the writing was cancelled", path};
   return Error{ErrorCode::unwritable, "cannot write the file: " + reason(code), path};
 }
 
@@ -66,10 +51,17 @@ class Descriptor {
   bool owned_;
 };
 
-int open_retrying(const char* path, int flags) {
+bool is_cancelled(const Cancel* cancel) { return cancel != nullptr && cancel->load(); }
+
+/// A descriptor, or negative with errno.
+int open_retrying(const char* path, int flags, const Cancel* cancel = nullptr) {
   for (;;) {
     const int number = ::open(path, flags | O_CLOEXEC, 0666);
     if (number >= 0 || errno != EINTR) return number;
+    if (is_cancelled(cancel)) {
+      errno = ECANCELED;
+      return -1;
+    }
   }
 }
 
@@ -92,10 +84,12 @@ int read_all(int number, std::string& out) {
   return 0;
 }
 
-/// 0 or the error.
-int write_all(int number, std::string_view bytes) {
+/// 0 or the error. The flag is asked before each piece, and when a signal interrupts one.
+int write_all(int number, std::string_view bytes, const Cancel* cancel) {
+  constexpr std::size_t piece = std::size_t{1} << 20;
   while (!bytes.empty()) {
-    const ssize_t put = ::write(number, bytes.data(), bytes.size());
+    if (is_cancelled(cancel)) return ECANCELED;
+    const ssize_t put = ::write(number, bytes.data(), std::min(piece, bytes.size()));
     if (put < 0 && errno != EINTR) return errno;
     if (put > 0) bytes.remove_prefix(static_cast<std::size_t>(put));
   }
@@ -103,14 +97,14 @@ int write_all(int number, std::string_view bytes) {
 }
 
 /// Writes to an opened file and closes it; a negative descriptor stands for errno. 0 or the error.
-int write_and_close(int number, std::string_view bytes) {
+int write_and_close(int number, std::string_view bytes, const Cancel* cancel) {
   if (number < 0) return errno;
   Descriptor descriptor(number, true);
-  const int code = write_all(descriptor.number(), bytes);
+  const int code = write_all(descriptor.number(), bytes, cancel);
   return code != 0 ? code : descriptor.close();
 }
 
-/// A name in `directory` (empty or with its slash) that no other process chooses.
+/// A name in `directory` (empty or with its slash) that nobody else chooses.
 std::string temporary_name(const std::string& directory) {
   static std::atomic<std::uint64_t> counter = 0;
   const auto now = std::chrono::system_clock::now().time_since_epoch().count();
@@ -118,36 +112,16 @@ std::string temporary_name(const std::string& directory) {
          std::to_string(counter++) + ".tmp";
 }
 
-/// Opens a new temporary file and leaves its path registered. Negative, with errno, when that fails.
-/// Registering comes first: a signal between the two must not leave a file behind.
-int open_temporary(const std::string& directory) {
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    const std::string name = temporary_name(directory);
-    if (name.size() >= temporary_path.size()) {
-      errno = ENAMETOOLONG;
-      return -1;
-    }
-    std::memcpy(temporary_path.data(), name.c_str(), name.size() + 1);
-    has_temporary.store(true);
-    const int number = open_retrying(temporary_path.data(), O_WRONLY | O_CREAT | O_EXCL);
-    if (number >= 0) return number;
-    has_temporary.store(false);
-    if (errno != EEXIST) return -1;
-  }
-  errno = EEXIST;
-  return -1;
-}
-
 /// Writes a temporary file beside `path` and renames it. 0 or the error.
-int replace(const std::string& path, std::string_view bytes) {
-  const std::lock_guard<std::mutex> lock(write_mutex);
+int replace(const std::string& path, std::string_view bytes, const Cancel* cancel) {
   const std::size_t slash = path.rfind('/');
-  const int number = open_temporary(slash == std::string::npos ? std::string() : path.substr(0, slash + 1));
+  const std::string name = temporary_name(slash == std::string::npos ? std::string() : path.substr(0, slash + 1));
+  const int number = open_retrying(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, cancel);
   if (number < 0) return errno;
-  int code = write_and_close(number, bytes);
-  if (code == 0 && ::rename(temporary_path.data(), path.c_str()) != 0) code = errno;
-  if (code != 0) (void)::unlink(temporary_path.data());
-  has_temporary.store(false);
+
+  int code = write_and_close(number, bytes, cancel);
+  if (code == 0 && ::rename(name.c_str(), path.c_str()) != 0) code = errno;
+  if (code != 0) (void)::unlink(name.c_str());
   return code;
 }
 
@@ -173,25 +147,20 @@ Result<std::string> read_file(const std::string& path) {
   return bytes;
 }
 
-Result<void> write_file(const std::string& path, std::string_view bytes) {
+Result<void> write_file(const std::string& path, std::string_view bytes, const Cancel* cancel) {
   int code = 0;
   struct stat status;
   if (path == "-") {
-    code = write_all(STDOUT_FILENO, bytes);
+    code = write_all(STDOUT_FILENO, bytes, cancel);
     // Devices and pipes cannot be replaced: they are written to.
   } else if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-    code = S_ISDIR(status.st_mode) ? EISDIR : write_and_close(open_retrying(path.c_str(), O_WRONLY), bytes);
+    code = S_ISDIR(status.st_mode) ? EISDIR
+                                   : write_and_close(open_retrying(path.c_str(), O_WRONLY, cancel), bytes, cancel);
   } else {
-    code = replace(resolved(path), bytes);
+    code = replace(resolved(path), bytes, cancel);
   }
   if (code != 0) return unwritable(path, code);
   return {};
-}
-
-void abandon_temporary_files() {
-  const int kept = errno;
-  if (has_temporary.load()) (void)::unlink(temporary_path.data());
-  errno = kept;
 }
 
 }  // namespace quoin::io

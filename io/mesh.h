@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "quoin/format.h"
+#include "quoin/options.h"
 #include "quoin/result.h"
 
 namespace quoin::io {
@@ -59,10 +60,8 @@ std::string write_mesh(std::span<const double> points, std::span<const std::uint
 Result<std::string> read_file(const std::string& path);
 /// Writes beside `path` and renames: the file appears whole or not at all; "-" is standard output.
 /// Symbolic links stay and what they name is replaced; devices and pipes are written to.
-/// Threads may call it at once; their writes follow one another.
-/// Errors: "unwritable". `abandon_temporary_files` removes what an interrupted write left.
-Result<void> write_file(const std::string& path, std::string_view bytes);
-/// Async-signal-safe: unlinks the temporary file that is being written, if any; that write then fails.
-void abandon_temporary_files();
+/// Threads may call it at once.
+/// Errors: "unwritable"; "cancelled", which leaves nothing behind (`cancel`: nullptr, or the flag that asks for it).
+Result<void> write_file(const std::string& path, std::string_view bytes, const Cancel* cancel = nullptr);
 
 }  // namespace quoin::io

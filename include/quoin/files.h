@@ -13,6 +13,7 @@
 #include "quoin/format.h"
 #include "quoin/grid.h"
 #include "quoin/import.h"
+#include "quoin/options.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
 #include "quoin/triangles.h"
@@ -58,8 +59,8 @@ QUOIN_API Result<std::vector<Solid>> build(std::vector<Source> sources, const Im
 QUOIN_API Result<std::string> to_bytes(const Mesh& mesh, Format format);
 
 /// Writes a file that appears whole or not at all: written beside `path`, then renamed. "-" is standard output.
-/// Errors: "unwritable"; `file` is the path.
-QUOIN_API Result<void> write_bytes(const std::string& path, std::string_view bytes);
+/// Errors: "unwritable"; "cancelled", which leaves nothing behind; `file` is the path.
+QUOIN_API Result<void> write_bytes(const std::string& path, std::string_view bytes, const Cancel* cancel = nullptr);
 
 /// Reads files (.stl, .obj, .off, .ply, .quoin; content decides where it can) onto one common grid.
 /// `reports`, when given, receives one report a file.

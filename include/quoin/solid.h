@@ -110,6 +110,7 @@ class QUOIN_API Solid {
   /// The exact solid as text in canonical order: equal point sets on one grid give equal bytes.
   std::string to_quoin() const;
   /// Writes .stl, .obj, .off, .ply or .quoin, by the extension; the file appears whole or not at all.
+  /// Errors: those of `to_triangles` and `write_bytes`, "unknown-format".
   Result<void> write(const std::string& path, const ExportOptions& options = {}) const;
 
   /// The three operations, symmetric difference and complement; exact and total on one grid.

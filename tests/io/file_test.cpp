@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -140,23 +141,42 @@ TEST_F(File, ThreadsWriteTheirOwnFiles) {
   EXPECT_EQ(shared, std::string(1000, shared[0]));
 }
 
-/// Dies of the file size limit's signal in the middle of a write; the handler cleans up.
-[[noreturn]] void write_until_interrupted(const std::string& path) {
-  (void)std::signal(SIGXFSZ, [](int) {
-    abandon_temporary_files();
-    ::_exit(130);
-  });
-  const rlimit limit = {4096, 4096};
-  (void)::setrlimit(RLIMIT_FSIZE, &limit);
-  (void)write_file(path, std::string(100000, 'x'));
-  ::_exit(0);
-}
-
-TEST_F(File, AbandonRemovesWhatASignalInterrupts) {
+TEST_F(File, ACancelledWriteLeavesTheOldFile) {
   ASSERT_EQ(write_code(path("a"), "old"), "");
-  EXPECT_EXIT(write_until_interrupted(path("a")), ::testing::ExitedWithCode(130), "");
+  const Cancel cancel = true;
+  const Result<void> written = write_file(path("a"), "new", &cancel);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::cancelled);
   EXPECT_EQ(entries(), 1U);
   EXPECT_EQ(read_file(path("a")).value(), "old");
+}
+
+// A pipe that nobody empties holds 64 kB: the write waits, until a signal asks whether it was cancelled.
+TEST_F(File, AWriteThatWaitsIsCancelledByASignal) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(reader, 0);
+  static Cancel cancel;
+  cancel = false;
+  struct sigaction action = {}, before = {};
+  action.sa_handler = [](int) { cancel = true; };
+  ASSERT_EQ(::sigaction(SIGUSR1, &action, &before), 0);
+
+  std::atomic<bool> ended = false;
+  Result<void> written;
+  std::thread writer([&] {
+    written = write_file(path("pipe"), std::string(std::size_t{1} << 20, 'x'), &cancel);
+    ended = true;
+  });
+  while (!ended) {
+    ::pthread_kill(writer.native_handle(), SIGUSR1);
+    std::this_thread::yield();
+  }
+  writer.join();
+  ::sigaction(SIGUSR1, &before, nullptr);
+  ::close(reader);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::cancelled);
 }
 
 [[noreturn]] void write_on_a_full_disk(const std::string& path) {
@@ -171,12 +191,6 @@ TEST_F(File, AFullDiskLeavesTheOldFile) {
   EXPECT_EXIT(write_on_a_full_disk(path("a")), ::testing::ExitedWithCode(7), "");
   EXPECT_EQ(entries(), 1U);
   EXPECT_EQ(read_file(path("a")).value(), "old");
-}
-
-TEST_F(File, AbandonWithoutAWriteDoesNothing) {
-  ASSERT_EQ(write_code(path("a"), "x"), "");
-  abandon_temporary_files();
-  EXPECT_EQ(read_file(path("a")).value(), "x");
 }
 
 }  // namespace
