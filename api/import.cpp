@@ -73,7 +73,9 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
     body = std::move(proved).value();
   }
 
-  return is_empty ? Solid::empty(grid.value()) : Access::solid(grid.value(), std::move(body));
+  Solid solid = is_empty ? Solid::empty(grid.value()) : Access::solid(grid.value(), std::move(body));
+  if (report && solid.is_empty()) report->empty_on = "step " + grid.value().step();
+  return solid;
 }
 
 /// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.

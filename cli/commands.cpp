@@ -95,20 +95,23 @@ void warn_of_dropped_shells(const std::string& file, const ImportReport& report)
 
 /// A mesh has faces, so that one that becomes empty has lost all of them: they have collapsed, or they overlap and
 /// cancel.
-void warn_of_nothing_left(const std::string& file, const Solid& solid, const ImportReport& report) {
+void warn_of_nothing_left(const std::string& file, const ImportReport& report) {
+  if (report.empty_on.empty()) return;
   const std::uint64_t flat = report.zero_area_triangles;
-  if (!solid.is_empty() || flat + report.resolved_crossings == 0) return;
   std::string what = "the mesh bounds nothing on this grid, the solid is empty";
   if (flat > 0)
     what += flat == 1 ? ": 1 triangle has no area after snapping"
                       : ": " + std::to_string(flat) + " triangles have no area after snapping";
-  print_warning(what, file, "step " + solid.grid().step());
+  print_warning(what, file, report.empty_on);
 }
 
 /// Says what import could not keep.
 void warn_of_losses(const Arguments& a, const std::vector<MeshImport>& imports) {
   if (a.quiet) return;
-  for (const auto& [file, report] : imports) warn_of_dropped_shells(file, report);
+  for (const auto& [file, report] : imports) {
+    warn_of_dropped_shells(file, report);
+    warn_of_nothing_left(file, report);
+  }
 }
 
 /// Says what rounding a motion could not keep.
@@ -139,8 +142,6 @@ Result<Operands> load(Session& session, Trust trust) {
   Operands operands{std::move(solids).value(), {}};
   for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
   warn_of_losses(a, operands.imports);
-  if (!a.quiet)
-    for (std::size_t i = 0; i < reports.size(); ++i) warn_of_nothing_left(a.inputs[i], operands.solids[i], reports[i]);
   return operands;
 }
 

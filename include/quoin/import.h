@@ -47,6 +47,8 @@ struct ImportReport {
   std::uint64_t dropped_shells = 0;
   /// The first of them, "shell at (x, y, z)": its lowest corner by x, then y, then z, in model units; empty for none.
   std::string dropped_where = {};
+  /// Where nothing is left of the mesh, the grid on which it bounds nothing, "step 1"; empty otherwise.
+  std::string empty_on = {};
 };
 
 }  // namespace quoin

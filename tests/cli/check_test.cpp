@@ -84,6 +84,9 @@ TEST_F(CliTest, AMeshOfWhichNothingIsLeftIsSaid) {
   EXPECT_EQ(run({"union", "a.off", "tiny.off", "--step", "1", "-o", "out.quoin"}).err, plain.err);
   EXPECT_EQ(run({"convert", "pair.off", "--step", "1", "-o", "out.quoin"}).err, warning("", "pair.off, step 1"));
 
+  put("model.json", R"({"quoin-model": 1, "model": {"mesh": {"file": "pair.off"}}})");
+  EXPECT_EQ(run({"eval", "model.json", "-o", "out.stl"}).err, warning("", "./pair.off, step 1/16777216"));
+
   Words quiet = tiny;
   quiet.push_back("--quiet");
   EXPECT_EQ(run(quiet).err, "");
