@@ -9,6 +9,7 @@
 #include "booleans/body/canonical.h"
 #include "booleans/body/locate.h"
 #include "booleans/body/measure.h"
+#include "booleans/on_lattice.h"
 #include "exact/counters.h"
 
 namespace quoin {
@@ -62,6 +63,13 @@ Solid Solid::full(const Grid& grid) {
   Body body;
   body.full_at_infinity = true;
   return Access::solid(grid, std::move(body));
+}
+
+Result<Solid> Solid::on_grid(const Grid& grid) const {
+  if (grid == grid_) return *this;
+  auto body = booleans::on_lattice(Access::body(*this), Access::lattice(*this), Access::lattice(grid));
+  if (!body) return body.error();
+  return Access::solid(grid, std::move(body).value());
 }
 
 const Grid& Solid::grid() const { return grid_; }

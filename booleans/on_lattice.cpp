@@ -1,14 +1,14 @@
+#include "booleans/on_lattice.h"
+
 #include <algorithm>
 #include <optional>
 
-#include "api/access.h"
 #include "booleans/body/canonical.h"
 #include "exact/rational.h"
 #include "grid/snap.h"
 
-namespace quoin {
+namespace quoin::booleans {
 
-using booleans::Body;
 using exact::Integer;
 using exact::Rational;
 
@@ -119,7 +119,7 @@ Fault move_body(const Map& map, Body& body) {
 }
 
 /// Grid points may become derived ones: triangles become the maximal faces they are parts of.
-Fault move_boundary(const Map& map, booleans::Boundary& boundary) {
+Fault move_boundary(const Map& map, Boundary& boundary) {
   Mover mover(map);
   for (auto& p : boundary.vertices) p = mover.point(p);
   for (auto& p : boundary.planes) p = mover.plane(p);
@@ -133,9 +133,9 @@ Fault moved(const Body& body, const Map& map, std::optional<Body>& result) {
     result = body;
     fault = move_body(map, *result);
   } else {
-    booleans::Boundary boundary = booleans::canonical(body);
+    Boundary boundary = canonical(body);
     fault = move_boundary(map, boundary);
-    if (fault == Fault::none) result = booleans::body_of(boundary);
+    if (fault == Fault::none) result = body_of(boundary);
   }
   if (fault != Fault::none) result.reset();
   return fault;
@@ -174,7 +174,7 @@ std::string place_of(const Body& body, const grid::Lattice& from, const Map& map
     return {};
   };
   if (map.divisor != 1) {
-    const auto form = booleans::canonical(body);
+    const auto form = canonical(body);
     return place_in(form.vertices, form.planes,
                     [&](std::size_t f) { return form.vertices[form.faces.corners_of(f)[0]]; });
   }
@@ -210,10 +210,7 @@ Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Latt
 
 }  // namespace
 
-Result<Solid> Solid::on_grid(const Grid& grid) const {
-  if (grid == grid_) return *this;
-  const Body& body = Access::body(*this);
-  const grid::Lattice &from = Access::lattice(*this), &to = Access::lattice(grid);
+Result<Body> on_lattice(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
   std::optional<Body> result;
   switch (moved(body, map_between(from, to), result)) {
     case Fault::none:
@@ -223,7 +220,7 @@ Result<Solid> Solid::on_grid(const Grid& grid) const {
     case Fault::out_of_range:
       return out_of_range(body, from, to);
   }
-  return Access::solid(grid, std::move(*result));
+  return std::move(*result);
 }
 
-}  // namespace quoin
+}  // namespace quoin::booleans
