@@ -60,6 +60,7 @@ std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> t
       edges.push_back({std::min(a, b), std::max(a, b), a > b ? 1U : 0U});
     }
   std::sort(edges.begin(), edges.end());
+
   std::vector<OpenEdge> result;
   for (std::size_t i = 0; i < edges.size();) {
     const auto [low, high, ignored] = edges[i];

@@ -49,6 +49,7 @@ class Blockers {
     if (nodes_.empty()) return false;
     std::array<std::uint32_t, 70> stack{};  // the tree halves at each level
     std::size_t depth = 1;
+
     while (depth > 0) {
       const Node& node = nodes_[stack[--depth]];
       if (node.count == 0 || is_apart(node, triangle)) continue;
@@ -80,6 +81,7 @@ class Blockers {
       }
     nodes_.push_back(node);
     if (end - begin <= leaf_size) return index;
+
     const std::size_t k = exact::longest_component(
         std::array{std::int64_t{node.high[0]} - node.low[0], std::int64_t{node.high[1]} - node.low[1]});
     const std::uint32_t middle = begin + (end - begin) / 2;
@@ -87,6 +89,7 @@ class Blockers {
                      [&](std::uint32_t i, std::uint32_t j) {
                        return points_[i][k] != points_[j][k] ? points_[i][k] < points_[j][k] : i < j;
                      });
+
     const std::uint32_t left = build_node(begin, middle), right = build_node(middle, end);
     nodes_[index].left = left;
     nodes_[index].right = right;

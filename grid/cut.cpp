@@ -76,6 +76,7 @@ bool Cutter::project(std::span<const std::uint32_t> corners) {
     add_cross(normal, difference(points_[corners[i - 1]], p), difference(points_[corners[i]], p));
   flat_ = normal == Vector{};
   if (flat_) return is_planar_without_area(points_, corners);
+
   const std::size_t axis = exact::longest_component(normal);
   std::size_t first = (axis + 1) % 3, second = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(first, second);
@@ -122,6 +123,7 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
     if (area(flat_points_[previous_[i]], flat_points_[i], flat_points_[next_[i]]) <= 0) members.push_back(i);
   }
   blockers_.build(flat_points_, std::move(members));
+
   queue_.resize(n);
   std::iota(queue_.begin(), queue_.end(), 0U);
   waiting_.assign(n, 1);  // 2 once cut off
@@ -131,6 +133,7 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
     waiting_[i] = 1;
     queue_.push_back(i);
   };
+
   constexpr int rounds = 4;
   for (int round = 0; round < rounds && left > 3; ++round) {
     const std::uint32_t before = left;
@@ -139,6 +142,7 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
       if (waiting_[i] == 2) continue;
       waiting_[i] = 0;
       if (!is_ear(corners, i)) continue;
+
       const std::uint32_t u = previous_[i], w = next_[i];
       triangles.push_back({corners[u], corners[i], corners[w]});
       next_[u] = w;
@@ -154,6 +158,7 @@ void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Trian
     queue_.clear();
     for (std::uint32_t i = 0, at = some; i < left; ++i, at = next_[at]) ask(at);
   }
+
   queue_.clear();
   for (std::uint32_t i = 0, at = some; i < left; ++i, at = next_[at]) queue_.push_back(at);
   fan(

@@ -89,6 +89,7 @@ Result<Lattice> fitting_lattice(const std::array<double, 3>& low, const std::arr
     assert(low[k] <= high[k]);
     farthest = std::max({farthest, std::fabs(low[k]), std::fabs(high[k])});
   }
+
   if (farthest > 0x1p1020) {
     const bool is_low = std::any_of(low.begin(), low.end(), [](double x) { return std::fabs(x) > 0x1p1020; });
     return Error{ErrorCode::out_of_range,
@@ -96,9 +97,11 @@ Result<Lattice> fitting_lattice(const std::array<double, 3>& low, const std::arr
                  {},
                  std::string(is_low ? "low" : "high") + " corner " + describe_point((is_low ? low : high).data())};
   }
+
   Lattice lattice;
   if (farthest == 0) return lattice;
   const long distance_exponent = ceil_log2(exact::to_rational(farthest)) - fitting_bits;
+
   std::array<Rational, 3> l, h;
   Rational size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -110,6 +113,7 @@ Result<Lattice> fitting_lattice(const std::array<double, 3>& low, const std::arr
     const long size_exponent = std::max(ceil_log2(size) - 1 - fitting_bits, least_exponent);
     if (distance_exponent > size_exponent + far_exponent) return centred_lattice(l, h, size_exponent);
   }
+
   lattice.step = power_of_two(std::max(distance_exponent, least_exponent));
   return lattice;
 }
@@ -126,6 +130,7 @@ std::optional<Affine> affine(const Lattice& lattice) {
   assert(lattice.step > 0);
   const std::array v{lattice.origin[0], lattice.origin[1], lattice.origin[2], lattice.step};
   const auto [scaled, common] = exact::over_common_denominator(v);
+
   // Twos move into the exponent.
   auto twos = lsb(scaled[3]);
   for (std::size_t k = 0; k < 3; ++k)
@@ -134,6 +139,7 @@ std::optional<Affine> affine(const Lattice& lattice) {
   const long exponent = static_cast<long>(twos) - static_cast<long>(below);
   const Integer limit = Integer(1) << 53, d = common >> below, factor = scaled[3] >> twos;
   if (exponent < -700 || exponent > 700 || d > limit || factor > limit) return std::nullopt;
+
   Affine r{};
   for (std::size_t k = 0; k < 3; ++k) {
     const Integer &n = scaled[k], m = abs(n) >> twos;
@@ -165,6 +171,7 @@ double Rounder::to_double(const exact::Point& point, int k) const {
   const auto i = static_cast<std::size_t>(k);
   // Rounding commutes with scaling by a power of two: nothing here is below 2^-188 but 0.
   if (scaling_[i] != 0) return point.approximation[i] * scaling_[i];
+
   if (affine_) {
     const exact::Numerator& x = point.x[i];
     const exact::Denominator& w = point.w;
@@ -178,6 +185,7 @@ double Rounder::to_double(const exact::Point& point, int k) const {
       return exact::rounded_quotient(n, exact::narrow<exact::Denominator::bits>(denominator * w)) * scale_;
     }
   }
+
   return exact::to_double(model_coordinate(lattice_, point, k));
 }
 
@@ -205,8 +213,10 @@ std::optional<exact::Plane> grid_plane(const Lattice& lattice, const std::array<
     p[3] += model_plane[k] * lattice.origin[k];
   }
   if (zero) return std::nullopt;
+
   const std::array<Integer, 4> n = exact::primitive(p);
   const Integer limit = exact::coefficient_limit, offset_limit = exact::to_integer(exact::offset_limit);
+
   exact::Plane r{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (abs(n[k]) > limit) return std::nullopt;

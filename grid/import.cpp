@@ -65,6 +65,7 @@ Result<void> check_indices(const Faces& f) {
                  "the number of triangle corners is not a multiple of 3",
                  {},
                  "face " + std::to_string(f.corners.size() / 3)};
+
   const std::size_t n = f.points.size() / 3;
   if (n > most_points || f.corners.size() > most_corners)
     return Error{ErrorCode::out_of_range, "a mesh of more than 2^31 points or corners cannot be imported"};
@@ -75,6 +76,7 @@ Result<void> check_indices(const Faces& f) {
                      "polygon starts must increase and stay within the corners",
                      {},
                      "start " + std::to_string(i)};
+
   if (all_below(f.corners, n)) return {};
   for (std::size_t i = 0; i < f.count(); ++i)
     for (std::uint32_t v : f.face(i))
@@ -118,6 +120,7 @@ struct Collected {
       ++zero_area;
       return false;
     }
+
     const GridPoint &p = points[t[0]], &q = points[t[1]], &r = points[t[2]];
     const std::int64_t ex = std::int64_t{q[0]} - p[0], ey = std::int64_t{q[1]} - p[1], ez = std::int64_t{q[2]} - p[2];
     const std::int64_t fx = std::int64_t{r[0]} - p[0], fy = std::int64_t{r[1]} - p[1], fz = std::int64_t{r[2]} - p[2];
@@ -134,6 +137,7 @@ Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, I
   const std::size_t length = stretch(std::size_t{1} << 15);
   mesh.triangles.resize(f.count());
   std::vector<Collected> parts(f.count() / length + 1);
+
   in_stretches(f.count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     std::size_t next = begin;
     for (std::size_t i = begin; i < end; ++i) {
@@ -142,6 +146,7 @@ Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, I
       if (parts[s].add(mesh.points, t, next)) mesh.triangles[next++] = t;
     }
   });
+
   Collected all;
   for (std::size_t s = 0; s < parts.size(); ++s) {
     const std::size_t begin = s * length, end = std::min(begin + length, f.count()) - parts[s].zero_area;
@@ -174,6 +179,7 @@ Collected add_polygons(const Faces& f, const std::vector<std::uint32_t>& ids, Im
   std::vector<std::uint32_t> loop;
   std::vector<Triangle> pieces;
   Collected all;
+
   for (std::size_t i = 0; i < f.count(); ++i) {
     distinct_corners(f.face(i), ids, loop);
     pieces.clear();
@@ -195,6 +201,7 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
   const std::vector<OpenEdge> open = open_edges(mesh.triangles);
   std::uint64_t count = 0;
   for (const OpenEdge& e : open) count += e.excess;
+
   const auto key = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
   const auto is_open = [&](std::uint32_t a, std::uint32_t b) {
     const auto found =
@@ -202,6 +209,7 @@ Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const
                          [&](const OpenEdge& e, const auto& wanted) { return key(e.from, e.to) < wanted; });
     return found != open.end() && found->from == a && found->to == b;
   };
+
   Error error{ErrorCode::open_boundary, "the surface is not closed: " + std::to_string(count) +
                                             (count == 1 ? " edge is" : " edges are") +
                                             " not balanced by the reverse edge of a neighbouring face"};
@@ -247,6 +255,7 @@ Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& m
 
 Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facing) {
   if (const auto checked = check_indices(f); !checked) return checked.error();
+
   ImportedMesh mesh;
   std::vector<std::uint32_t> ids;
   std::optional<Result<Collected>> gathered;
@@ -260,6 +269,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
   });
   if (!*gathered) return gathered->error();
   if (facing == Facing::out && f.count() > 0 && !has_areas(f)) return no_areas(f);
+
   const Collected& all = gathered->value();
   mesh.zero_area_triangles = all.zero_area + all.slivers.size();
   if (!seal(mesh.points, mesh.triangles, all.slivers) ||

@@ -74,6 +74,7 @@ class Sealer {
     const auto ends = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
     std::vector<std::uint8_t> is_end(points_.size());
     for (const Segment& s : segments_) is_end[s.from] = is_end[s.to] = 1;
+
     std::vector<std::uint32_t> found(segments_.size());  // at the first of equal segments: how many have a neighbour
     std::size_t missing = segments_.size(), next_sliver = 0;
     for (std::uint32_t t = 0; t < triangles_.size() && missing > 0; ++t) {
@@ -81,6 +82,7 @@ class Sealer {
         ++next_sliver;
         continue;
       }
+
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
         if (is_end[a] == 0 || is_end[b] == 0) continue;
@@ -106,6 +108,7 @@ class Sealer {
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
       order.emplace_back(line_through(points_[segments_[i].from], points_[segments_[i].to]), i);
     std::sort(order.begin(), order.end());
+
     std::vector<Event> events;
     for (std::size_t i = 0; i < order.size();) {
       events.clear();
@@ -133,6 +136,7 @@ class Sealer {
         s.ended = !events[end].start;
         if (events[end].start) single[is_forward(s) ? 1 : 0].push_back(events[end].segment);
       }
+
       for (std::size_t i = begin; i < end; ++i) {
         if (events[i].start) continue;
         const std::uint32_t widow = segments_[events[i].segment].partner;
@@ -140,6 +144,7 @@ class Sealer {
         single[is_forward(segments_[widow]) ? 1 : 0].push_back(widow);
         splits_.push_back({segments_[widow].neighbour, vertex});
       }
+
       assert(single[0].size() == single[1].size());
       for (std::size_t i = 0; i < single[0].size(); ++i) {
         segments_[single[0][i]].partner = single[1][i];
@@ -157,6 +162,7 @@ class Sealer {
       const GridPoint &p = points_[s.vertex], &q = points_[t.vertex];
       return start(s.neighbour) < stop(s.neighbour) ? p < q : q < p;
     });
+
     Cutter cutter(points_);
     std::vector<std::uint32_t> loop;
     std::vector<Triangle> pieces;
@@ -168,6 +174,7 @@ class Sealer {
         loop.push_back(triangles_[t][k]);
         for (; i < splits_.size() && splits_[i].neighbour == 3 * t + k; ++i) loop.push_back(splits_[i].vertex);
       }
+
       cutter.cut(loop, pieces);
       triangles_[t] = pieces[0];
       triangles_.insert(triangles_.end(), pieces.begin() + 1, pieces.end());

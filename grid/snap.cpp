@@ -52,6 +52,7 @@ Moves snap_scaled(std::span<const double> points, double step, std::span<GridPoi
     // Also false for values that are not numbers; beyond 2^51 rounding is not to integers, but still monotone.
     if (!(std::fabs(a) <= world && std::fabs(b) <= world && std::fabs(c) <= world)) return {false};
     snapped[i] = {{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)}};
+
     const double dx = x - a, dy = y - b, dz = z - c;  // exact
     moves.worst = std::max(moves.worst, dx * dx + dy * dy + dz * dz);
     moves.moved = moves.moved | (a * step != p[0]) | (b * step != p[1]) | (c * step != p[2]);
@@ -93,6 +94,7 @@ class Snapper {
           if (look_closely && std::fabs(f) <= bound && is_exact(v, k, static_cast<std::int32_t>(m))) distance = 0;
           return static_cast<std::int32_t>(m);
         }
+
         if (bound < 0.25 && affine_) {
           const auto below = static_cast<std::int32_t>(f < 0 ? m - 1 : m);
           if (const auto order = compare(v, k, 2 * std::int64_t{below} + 1)) {
@@ -102,6 +104,7 @@ class Snapper {
         }
       }
     }
+
     return snap_exactly(v, k, distance);
   }
 
@@ -113,6 +116,7 @@ class Snapper {
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
     int128 left = int128(2 * mantissa) * affine_->denominator;                        // below 2^108
     int128 right = int128(affine_->offset[k]) * 2 + int128(twice) * affine_->factor;  // below 2^56
+
     const int shift = v == 0 ? 0 : e - 53 - affine_->exponent;
     if (shift > 18 || shift < -70) return std::nullopt;
     if (shift >= 0)
@@ -132,6 +136,7 @@ class Snapper {
     const Rational y = (exact::to_rational(v) - lattice_.origin[k]) / lattice_.step;
     distance = 0;
     if (abs(y) > 2 * Rational(exact::world)) return y < 0 ? -2 * exact::world : 2 * exact::world;
+
     Integer q, r;
     divide_qr(numerator(y), denominator(y), q, r);
     if (r < 0) {
@@ -140,6 +145,7 @@ class Snapper {
     }
     const int half = Integer(2 * r).compare(denominator(y));
     if (half > 0 || (half == 0 && bit_test(Integer(abs(q)), 0))) ++q;
+
     const Rational move = abs(y - q);
     if (move != 0) distance = std::nextafter(exact::to_double(move), 1.0);
     return static_cast<std::int32_t>(q);
@@ -162,6 +168,7 @@ Moves snap_any(std::span<const double> points, const Snapper& snapper, std::span
       double distance = 0;
       const std::int32_t c = snapper(v, k, !moves.moved, distance);
       if (c < -exact::world || c > exact::world) return {false};
+
       snapped[i].c[k] = c;
       squared += distance * distance;
       moves.moved = moves.moved | (distance != 0);
@@ -219,6 +226,7 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
               {},
               "vertex " + vertex + " " + describe_point(&points[i - i % 3])};
     }
+
   std::size_t i = 0;
   while (in_world(lattice, points[i], i % 3)) ++i;
   const std::string vertex = std::to_string(i / 3);
@@ -247,6 +255,7 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
   assert(points.size() % 3 == 0);
   Snapped result;
   result.points.resize(points.size() / 3);
+
   const auto a = affine(lattice);
   const bool scaled = a && a->factor == 1 && a->denominator == 1 && lattice.origin == Lattice{}.origin;
   Moves moves;
@@ -260,6 +269,7 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
     // One more factor for the step's own rounding.
     if (moves.moved) result.max_snap = length_bound(moves.worst, lattice.step) * (1 + 0x1p-50);
   }
+
   if (!moves.fit) return refusal(points, lattice);
   return Result<Snapped>(std::move(result));
 }

@@ -101,12 +101,14 @@ class Mergers {
 Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::size_t expected) {
   const std::size_t n = points.size();
   assert(input.size() == 3 * n);
+
   Table table(std::min(expected, n));
   Mergers mergers(input);
   Weld result;
   std::vector<std::uint32_t> first;  // input point of each kept one, from the first merger on
   std::vector<GridPoint> kept;       // then the kept points; before that they are a prefix of `points`
   std::uint32_t next = 0;
+
   constexpr std::size_t batch = 32;
   std::array<std::uint32_t, batch> prints{};
   for (std::size_t begin = 0; begin < n; begin += batch) {
@@ -126,6 +128,7 @@ Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::si
         first.assign(result.ids.begin(), result.ids.begin() + static_cast<std::ptrdiff_t>(i));
         kept.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i));
       }
+
       result.ids[i] = id;
       if (id == next) {
         ++next;
@@ -135,9 +138,11 @@ Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::si
         mergers.note(id, first[id], i);
       }
     }
+
     // A hash that clusters must not cost more than sorting.
     if (table.collisions() > 32 * (end + 1024)) return weld_by_sorting(points, input);
   }
+
   if (result.ids.empty()) return result;
   points = std::move(kept);
   result.merged = mergers.count();
@@ -150,9 +155,11 @@ Weld weld_by_sorting(std::vector<GridPoint>& points, std::span<const double> inp
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t i, std::uint32_t j) { return points[i] != points[j] ? points[i] < points[j] : i < j; });
+
   std::vector<std::uint32_t> first(n);  // the first input point equal to each
   for (std::size_t i = 0; i < n; ++i)
     first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+
   Weld result;
   result.ids.resize(n);
   Mergers mergers(input);
@@ -166,6 +173,7 @@ Weld weld_by_sorting(std::vector<GridPoint>& points, std::span<const double> inp
       mergers.note(result.ids[i], first[i], i);
     }
   }
+
   points.resize(next);
   if (next == n) result.ids.clear();
   result.merged = mergers.count();
