@@ -70,6 +70,7 @@ int read_all(int number, std::string& out) {
   constexpr std::size_t chunk = std::size_t{1} << 16;
   struct stat status;
   const bool regular = ::fstat(number, &status) == 0 && S_ISREG(status.st_mode);
+
   // One byte more than the size lets the last read see the end without growing.
   out.resize(regular ? static_cast<std::size_t>(status.st_size) + 1 : chunk);
   std::size_t size = 0;

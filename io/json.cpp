@@ -116,6 +116,7 @@ class Builder : public nlohmann::json_sax<Library> {
       value.line = position_.line;
       value.column = position_.column;
     }
+
     if (open_.empty()) {
       root = std::move(value);
     } else if (open_.back().kind == Json::Kind::list) {
@@ -178,6 +179,7 @@ void write(const Json& v, std::size_t indent, std::string& out) {
     out += line;
     return;
   }
+
   out += is_object ? "{" : "[";
   for (std::size_t i = 0; i < count; ++i) {
     out += (i == 0 ? "\n" : ",\n") + std::string(indent + 2, ' ');
@@ -207,6 +209,7 @@ Result<Json> read_json(std::string_view text) {
                  {},
                  Json{.line = position.line, .column = position.column}.place()};
   }
+
   const bool good =
       Library::sax_parse(Tracked(text.data(), &position), Tracked(text.data() + text.size(), &position), &builder);
   if (builder.error) return *builder.error;

@@ -76,12 +76,14 @@ class OffReader {
     in_.skip_space();
     if (!count(vertex_count_) || !count(face_count_)) return false;
     in_.skip_line();
+
     // The last line may lack its end.
     if ((vertex_count_ + face_count_) * min_line_size > in_.remaining() + 1) {
       return in_.fail(ErrorCode::absurd_count, "the file is too short for " + std::to_string(vertex_count_) +
                                                    " vertices and " + std::to_string(face_count_) +
                                                    " faces: truncated, or the counts are wrong");
     }
+
     // Every number takes a digit and a separator.
     const std::uint64_t max_numbers = in_.remaining() / 2 + 1;
     mesh_.points.reserve(std::min(vertex_count_ * 3, max_numbers));
@@ -122,6 +124,7 @@ class OffReader {
     if (corner_count > in_.remaining() / 2 || mesh_.corners.size() + corner_count > max_count) {
       return in_.fail(ErrorCode::absurd_count, "the file is too short for a face of so many corners");
     }
+
     for (std::uint64_t i = 0; i < corner_count; ++i) {
       std::int64_t index = 0;
       skip_within();

@@ -96,6 +96,7 @@ class BinaryBody {
       out = static_cast<std::int64_t>(value);
       return true;
     }
+
     if (!available(type, 1)) return false;
     out = load_integer(type);
     return true;
@@ -179,6 +180,7 @@ class PlyReader {
     for (const PlyProperty& property : element.properties) {
       row_size += Body::min_size(property.is_list ? property.count_type : property.type);
     }
+
     if (element.count == 0) return true;
     if (row_size == 0) return body_.fail(ErrorCode::bad_syntax, "an element of the header has no property");
     const bool vertex = element.kind == PlyElement::Kind::vertex;
@@ -214,6 +216,7 @@ class PlyReader {
       }
       if (!good) return false;
     }
+
     if (element.kind == PlyElement::Kind::vertex) mesh_.points.insert(mesh_.points.end(), point.begin(), point.end());
     return true;
   }
@@ -235,6 +238,7 @@ class PlyReader {
     if (length < 3) return body_.fail(ErrorCode::bad_syntax, "a face needs at least 3 corners");
     if (mesh_.corners.size() + length > max_count)
       return body_.fail(ErrorCode::absurd_count, "the faces have too many corners");
+
     for (std::uint64_t i = 0; i < length; ++i) {
       std::int64_t index = 0;
       if (!body_.integer(property.type, index)) return false;

@@ -93,6 +93,7 @@ class HeaderReader {
       if (words.word() != "end_header") return fail(ErrorCode::truncated, "the header ends without 'end_header'");
       return {};
     }
+
     line_ = bytes_.substr(header_.size, length);
     header_.size += length + line_end_.size();
     return {};
@@ -117,6 +118,7 @@ class HeaderReader {
     } else {
       return fail(ErrorCode::unknown_format, "the format is ascii, binary_little_endian or binary_big_endian");
     }
+
     if (words.word() != "1.0") return fail(ErrorCode::unknown_format, "only version 1.0 of PLY is known");
     has_format_ = true;
     return {};
@@ -134,6 +136,7 @@ class HeaderReader {
     if (element.kind != Kind::other && find(element.kind) != nullptr) {
       return fail(ErrorCode::bad_syntax, "this element is declared twice");
     }
+
     element.count = static_cast<std::uint64_t>(count);
     if (element.kind == Kind::vertex) header_.vertex_count = element.count;
     header_.elements.push_back(std::move(element));
@@ -145,6 +148,7 @@ class HeaderReader {
     if (header_.elements.empty()) return fail(ErrorCode::bad_syntax, "a property needs an element before it");
     PlyElement& element = header_.elements.back();
     PlyProperty property;
+
     std::string_view type = words.word();
     property.is_list = type == "list";
     if (property.is_list) {
@@ -153,6 +157,7 @@ class HeaderReader {
       type = words.word();
     }
     if (!find_type(type, property.type)) return unknown_type();
+
     const std::string_view name = words.word();
     if (name.empty()) return fail(ErrorCode::bad_syntax, "a property needs a name");
     property.role = role_of(element.kind, property.is_list, name);
@@ -175,6 +180,7 @@ class HeaderReader {
 
   Result<PlyHeader> finish() {
     if (!has_format_) return fail(ErrorCode::bad_syntax, "the header has no 'format'");
+
     const PlyElement* vertex = find(Kind::vertex);
     const PlyElement* face = find(Kind::face);
     if (vertex == nullptr || !has_role(*vertex, Role::x) || !has_role(*vertex, Role::y) ||

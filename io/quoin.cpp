@@ -171,6 +171,7 @@ bool read_vertex(Lines& lines, std::array<std::string, 4>& out) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!lines.integer(max_coordinate_digits, out[k])) return false;
   }
+
   if (lines.at_line_end()) {
     out[3] = "1";
     return true;
@@ -209,6 +210,7 @@ bool read_face(Lines& lines, ExactDocument& out) {
   for (std::string& coefficient : out.planes.emplace_back()) {
     if (!lines.integer(max_coefficient_digits, coefficient)) return false;
   }
+
   std::uint32_t loops = 0;
   if (!lines.count(smallest_loop, loops) || !lines.no_more_fields()) return false;
   if (loops == 0) return lines.fail("a face has at least one loop");
@@ -224,6 +226,7 @@ bool read_faces(Lines& lines, ExactDocument& out) {
   if (!lines.line() || !lines.word("faces") || !lines.count(smallest_face, count) || !lines.no_more_fields()) {
     return false;
   }
+
   out.planes.reserve(count);
   out.face_loops.reserve(std::size_t{count} + 1);
   out.loop_corners.reserve(std::size_t{count} + 1);
@@ -275,17 +278,20 @@ std::string write_quoin(const ExactDocument& document) {
   assert(!document.loop_corners.empty());
   assert(are_offsets(document.face_loops, document.planes.size(), document.loop_corners.size() - 1));
   assert(are_offsets(document.loop_corners, document.loop_corners.size() - 1, document.corners.size()));
+
   std::string out;
   out.reserve(size_bound(document));
   out.append("quoin 1\ngrid ").append(document.step);
   for (const std::string& coordinate : document.origin) out.append(1, ' ').append(coordinate);
   out.append(document.full_at_infinity ? "\ninfinity full\n" : "\ninfinity empty\n");
+
   append_section(out, "vertices ", document.vertices.size());
   for (const auto& [x, y, z, w] : document.vertices) {
     out.append(x).append(1, ' ').append(y).append(1, ' ').append(z);
     if (w != "1") out.append(1, ' ').append(w);
     out.push_back('\n');
   }
+
   append_section(out, "faces ", document.planes.size());
   for (std::size_t i = 0; i < document.planes.size(); ++i) {
     for (const std::string& coefficient : document.planes[i]) out.append(coefficient).append(1, ' ');

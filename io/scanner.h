@@ -98,6 +98,7 @@ class Scanner {
     }
     if (result.ec == std::errc::result_out_of_range) value = beyond_range(first, result.ptr);
     if (!std::isfinite(value)) return fail(ErrorCode::non_finite, "this number is not finite in double precision");
+
     position_ = result.ptr;
     out = value;
     return true;
@@ -188,6 +189,7 @@ class Scanner {
     const char* mantissa_end = std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
     const char* point = std::find(first, mantissa_end, '.');
     const char* leading = std::find_if(first, mantissa_end, [](char c) { return c >= '1' && c <= '9'; });
+
     std::int64_t exponent = 0;
     if (mantissa_end != last) {
       const char* digits = mantissa_end + 1;
@@ -198,6 +200,7 @@ class Scanner {
         exponent = std::numeric_limits<std::int64_t>::max() / 2 * (*digits == '-' ? -1 : 1);
       }
     }
+
     const double size = (point - leading) + exponent > 0 ? std::numeric_limits<double>::infinity() : 0.0;
     return negative ? -size : size;
   }

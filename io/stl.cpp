@@ -58,6 +58,7 @@ Result<void> check_binary_size(std::string_view bytes) {
   if (bytes.size() < facets_offset) {
     return Error{ErrorCode::truncated, "a binary STL has at least 84 bytes, this file has " + size, {}, "byte " + size};
   }
+
   const std::uint64_t expected = binary_size(bytes);
   const std::string story = "the header declares " + std::to_string(load_u32(bytes.data() + header_size)) +
                             " facets, which take " + std::to_string(expected) + " bytes, but the file has " + size;
@@ -74,6 +75,7 @@ Result<PolygonMesh> read_binary_stl(std::string_view bytes) {
   PolygonMesh mesh;
   mesh.points.resize(std::size_t{facets} * 9);
   double* to = mesh.points.data();
+
   for (std::uint32_t facet = 0; facet < facets; ++facet) {
     const std::size_t offset = facets_offset + facet_size * std::size_t{facet} + normal_size;
     const char* from = bytes.data() + offset;
@@ -90,6 +92,7 @@ Result<PolygonMesh> read_binary_stl(std::string_view bytes) {
                    "byte " + std::to_string(offset)};
     }
   }
+
   number_corners(mesh, facets);
   return mesh;
 }
@@ -129,6 +132,7 @@ class AsciiStlReader {
   bool solid() {
     if (!expect("solid")) return false;
     in_.skip_line();
+
     for (;;) {
       const std::string_view word = next_word();
       if (equal_ignoring_case(word, "endsolid")) {
@@ -149,6 +153,7 @@ class AsciiStlReader {
     for (int i = 0; i < 3; ++i) {
       if (next_word().empty()) return in_.fail(ErrorCode::truncated, "the text ends within a normal");
     }
+
     if (!expect("outer") || !expect("loop")) return false;
     for (int i = 0; i < 3; ++i) {
       if (!vertex()) return false;
@@ -197,6 +202,7 @@ std::array<float, 3> unit_normal(const std::array<Vector, 3>& corners) {
   for (Vector& corner : p) {
     for (double& coordinate : corner) coordinate *= shrink;
   }
+
   const Vector u = scaled(difference(p[1], p[0]));
   const Vector v = scaled(difference(p[2], p[0]));
   const Vector n = scaled({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
@@ -244,12 +250,14 @@ std::string write_stl(std::span<const double> points, std::span<const std::uint3
   out.resize(header_size, ' ');
   out.reserve(facets_offset + facet_size * (triangles.size() / 3));
   append_u32(out, static_cast<std::uint32_t>(triangles.size() / 3));
+
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     std::array<Vector, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector exact = point(points, triangles[i + k]);
       corners[k] = {to_float(exact[0]), to_float(exact[1]), to_float(exact[2])};
     }
+
     for (const float coordinate : unit_normal(corners)) append_float(out, coordinate);
     for (const Vector& corner : corners) {
       for (const double coordinate : corner) append_float(out, static_cast<float>(coordinate));
