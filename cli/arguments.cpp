@@ -86,6 +86,7 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
   auto app = std::make_unique<CLI::App>(help.summary, std::string("quoin ") + help.name);
   app->footer(std::string("\n") + help.examples);
   app->set_help_flag("-h,--help", "This text.");
+
   const bool many = a.command == Command::unite || a.command == Command::intersect || a.command == Command::subtract ||
                     a.command == Command::symmetric_difference;
   auto* inputs = app->add_option("FILES", a.inputs,
@@ -94,6 +95,7 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                                                               : "The solid.")
                      ->required();
   many ? inputs->expected(2, CLI::detail::expected_max_vector_size) : inputs->expected(1);
+
   if (a.command != Command::info && a.command != Command::check) {
     const bool two = a.command == Command::split;
     app->add_option("-o,--output", a.outputs, two ? "Files to write: ABOVE BELOW." : "File to write.")
@@ -105,6 +107,7 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                     "manifold (default): every edge of the written mesh has two triangles, parts that only touch are "
                     "separated; indexed: vertices are shared wherever they coincide.");
   }
+
   if (a.command == Command::move) {
     const auto motion = [&](const char* name, Words& words, int size, const char* what) {
       app->add_option(name, words, what)->type_size(size)->allow_extra_args(false);
@@ -114,6 +117,7 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
     motion("--mirror", raw.mirror, 1, "AXIS: the mirror image in the plane through the origin with this normal.");
     motion("--scale", raw.scale, 1, "FACTOR, or X,Y,Z: from the origin; positive.");
   }
+
   if (a.command == Command::eval)
     app->add_option("--set", raw.set, "NAME=VALUE: of a parameter of the model.")->allow_extra_args(false);
   if (a.command == Command::move || a.command == Command::eval)
@@ -124,6 +128,7 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
     // An option of exactly one value takes the next word whatever it starts with: "-1,0,0,5" needs no "=".
     app->add_option("--plane", raw.plane, "a,b,c,d of a x + b y + c z + d = 0, model units.")->required();
   }
+
   app->add_option("--step", raw.step,
                   std::string("Grid step in model units, e.g. 1/1000 or 0.001; default: that of ") +
                       (a.command == Command::eval ? "the model, of a solid in it" : "a .quoin operand") +
@@ -168,6 +173,7 @@ Number decimal_kind(std::string_view text) {
   std::size_t count = take_digits(text, zero);
   if (take(text, ".")) count += take_digits(text, zero);
   if (count == 0) return Number::malformed;
+
   if (take(text, "eE")) {
     bool ignored = true;
     take(text, "+-");
@@ -200,6 +206,7 @@ Result<HalfSpace> parse_plane(const std::string& text) {
     }
     if (i < 3 && kind == Number::other) normal = true;
   }
+
   if (!normal) return usage("--plane: one of a, b, c must differ from 0");
   return plane;
 }
@@ -240,9 +247,11 @@ Result<Motion> read_motion(const RawOptions& raw) {
       if (!by) return by.error();
       next = Motion::scaling(by.value());
     }
+
     if (!next) return usage(option + ": " + next.error().message);
     motion = motion.then(next.value());
   }
+
   if (raw.order.empty()) return usage("move needs a motion: --rotate, --translate, --mirror or --scale");
   return motion;
 }
@@ -257,16 +266,19 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     a.rounding = found->second;
     a.rounding_name = *raw.rounding;
   }
+
   for (const std::string& text : raw.set) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) return usage("--set wants NAME=VALUE, not \"" + text + "\"");
     a.parameters[text.substr(0, equals)] = text.substr(equals + 1);
   }
+
   if (a.command == Command::move) {
     const auto motion = read_motion(raw);
     if (!motion) return motion.error();
     a.motion = motion.value();
   }
+
   if (raw.format) {
     a.format = format_called(*raw.format);
     if (!a.format) return usage("--format must be " + format_names() + ", not \"" + *raw.format + "\"");
@@ -277,11 +289,13 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     }
     a.topology = *raw.topology == "manifold" ? Topology::manifold : Topology::indexed;
   }
+
   if (raw.step) {
     const auto grid = Grid::with_step(*raw.step);
     if (!grid) return usage("--step: " + grid.error().message);
     a.grid = grid.value();
   }
+
   if (a.command != Command::split) return {};
   const auto plane = parse_plane(raw.plane);
   if (!plane) return plane.error();
@@ -319,6 +333,7 @@ Result<void> check_streams(const Arguments& a) {
   if ((unnamed_input || a.writes_to_stdout()) && !a.format) return usage("\"-\" needs --format");
   if (a.json && a.writes_to_stdout()) return usage("--json and \"-o -\" cannot share standard output");
   if (a.outputs.size() == 2 && same_file(a.outputs[0], a.outputs[1])) return usage("the two outputs are one file");
+
   const auto empty = [](const std::string& path) { return path.empty(); };
   if (std::any_of(a.inputs.begin(), a.inputs.end(), empty) || std::any_of(a.outputs.begin(), a.outputs.end(), empty)) {
     return usage("a file name is empty");
@@ -368,6 +383,7 @@ Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string>
     return usage(words.empty() ? "a command is missing; see quoin --help"
                                : "a command is missing after \"" + words.back() + "\"; see quoin --help");
   }
+
   const CommandHelp* help = find_command(words[0]);
   if (help == nullptr) return unknown_command(words[0]);
   Arguments arguments;
@@ -375,6 +391,7 @@ Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string>
   arguments.name = help->name;
   RawOptions raw;
   const auto app = make_app(*help, arguments, raw);
+
   words.erase(words.begin());
   const auto dashes = std::find(words.begin(), words.end(), "--");
   if (std::find(words.begin(), dashes, "--version") != dashes) return Parsed(Answer{version_text(json)});
@@ -387,6 +404,7 @@ Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string>
   } catch (const CLI::ParseError& error) {
     return usage(std::string(help->name) + ": " + error.what() + "; see quoin " + help->name + " --help");
   }
+
   // The parser lists an option once for each of its values.
   std::map<std::string, int> values;
   for (const CLI::Option* option : app->parse_order()) {
@@ -394,6 +412,7 @@ Result<std::variant<Arguments, Answer>> parse_arguments(std::vector<std::string>
     const bool moves = name == "--rotate" || name == "--translate" || name == "--mirror" || name == "--scale";
     if (moves && values[name]++ % option->get_type_size() == 0) raw.order.push_back(name);
   }
+
   if (const auto read = read_values(raw, arguments); !read) return read.error();
   if (const auto checked = check_streams(arguments); !checked) return checked.error();
   return Parsed(std::move(arguments));

@@ -132,6 +132,7 @@ Result<Operands> load(Session& session, Trust trust) {
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }
+
   std::vector<ImportReport> reports;
   auto solids = polled_stage(session, Stage::build, [&] {
     const ImportOptions options = {.grid = a.grid, .trust = trust, .run = session.options("building")};
@@ -180,6 +181,7 @@ Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
     if (!solid) return solid.error();
     return Computed{{std::move(solid).value()}};
   };
+
   switch (a.command) {
     case Command::unite:
       return one(unite(solids, options));
@@ -215,6 +217,7 @@ Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
 Result<void> check_output(const Arguments& a, const std::string& path) {
   if (const auto format = a.output_format(path); !format) return format.error();
   if (path == "-") return {};
+
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
   struct stat status = {};
@@ -241,6 +244,7 @@ Result<void> format_output(Session& session, Output& output) {
     output.bytes = session.times.measure(Stage::write, [&] { return output.solid.to_quoin(); });
     return {};
   }
+
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
     const ExportOptions options = {
         .topology = a.topology, .float32 = kind.is_float32, .run = session.options("exporting")};
@@ -252,6 +256,7 @@ Result<void> format_output(Session& session, Output& output) {
     error.file = output.path;
     return error;
   }
+
   auto bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
   if (!bytes) return bytes.error();
   output.bytes = std::move(bytes).value();
@@ -263,6 +268,7 @@ std::string summary(const Output& output) {
   const auto count = [](std::uint64_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
+
   std::string text = output.path + ": ";
   if (!info.bounded) {
     text += "unbounded, ";
@@ -270,6 +276,7 @@ std::string summary(const Output& output) {
     text += output.solid.is_empty() ? "empty, " : "volume " + decimal(info.volume_approx) + ", ";
   }
   text += count(info.faces, "face") + ", " + count(info.shells, "shell") + "\n";
+
   const ExportReport& report = output.report;
   if (report.flipped + report.collapsed > 0) {
     text += "  rounding flipped " + count(report.flipped, "triangle") + " and collapsed " +
@@ -318,10 +325,12 @@ Json result_json(const Session& session, const Operands& operands, const std::op
   } else {
     object = output_json(outputs[0]);
   }
+
   session.times.add_to(object);
   object["peak_rss_bytes"] = peak_memory();
   object["max_snap"] = operands.max_snap();
   object["import"] = imports_json(operands);
+
   const Arguments& a = session.arguments;
   if (a.command == Command::move) {
     const auto quaternion = a.motion.info().quaternion;
@@ -359,6 +368,7 @@ Result<void> run_check(Session& session) {
   const Arguments& a = session.arguments;
   const auto operands = load(session, Trust::nothing);
   if (!operands) return operands.error();
+
   const ImportReport& report = operands.value().imports[0].report;
   Json object;
   object["valid"] = true;
@@ -375,6 +385,7 @@ Result<void> run_writing(Session& session) {
   for (const auto& path : a.outputs) {
     if (const auto checked = check_output(a, path); !checked) return checked.error();
   }
+
   const bool is_model = a.command == Command::eval;
   auto operands = is_model ? Result<Operands>(Operands{}) : load(session);
   if (!operands) return operands.error();
@@ -395,6 +406,7 @@ Result<void> run_writing(Session& session) {
     if (!info) return info.error();
     output.info = info.value();
   }
+
   // Nothing is written before everything is ready.
   for (const auto& output : outputs) {
     const PolledStage guard;
@@ -402,6 +414,7 @@ Result<void> run_writing(Session& session) {
         session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes, &cancel_flag()); });
     if (!written) return written.error().code == ErrorCode::cancelled ? cancelled_error() : written.error();
   }
+
   if (a.json) return say(a, result_json(session, operands.value(), results.value().motion, outputs), "");
   std::string text;
   if (!a.quiet) {

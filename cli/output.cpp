@@ -135,9 +135,11 @@ Json info_json(const Solid& solid, const Info& info) {
   object["triangles"] = info.triangles;
   object["shells"] = info.shells;
   object["genus"] = info.genus;
+
   object["closed"] = info.closed;
   object["manifold"] = info.manifold;
   object["bounded"] = info.bounded;
+
   object["volume"] = info.bounded ? Json(info.volume) : Json(nullptr);
   object["volume_approx"] = info.bounded ? Json(info.volume_approx) : Json(nullptr);
   object["area_approx"] = info.area_approx;
@@ -181,6 +183,7 @@ Json statistics_json() {
 void add_motion(Json& object, const MotionReport& report, const std::string& method) {
   object["angle_error"] = report.angle_error;
   object["displacement_bound"] = report.displacement_bound;
+
   Json rounding;
   rounding["method"] = method;
   rounding["primitives"] = report.primitives;
@@ -212,6 +215,7 @@ std::string info_text(const Solid& solid, const Info& info) {
       {"shells", std::to_string(info.shells)},     {"genus", std::to_string(info.genus)},
       {"closed", yes_or_no(info.closed)},          {"manifold", yes_or_no(info.manifold)},
       {"bounded", yes_or_no(info.bounded)}};
+
   rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
   if (info.bounded) rows.push_back({"volume, exact", shortened(info.volume)});
   rows.push_back({"area, about", decimal(info.area_approx)});
