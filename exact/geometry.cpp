@@ -96,6 +96,7 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
       b = shifted_left(b, scale);
     const Int<65> factor{static_cast<int128>(q)};
     Int<384> r = narrow<384>(a - narrow<384>(factor * b));
+
     while (r.negative()) {
       r = narrow<384>(r + b);
       --q;
@@ -137,14 +138,17 @@ std::optional<Point> meet(const Plane& p, const Plane& q, const Plane& r) {
   const Coefficient a2 = coefficient(q, 0), b2 = coefficient(q, 1), c2 = coefficient(q, 2);
   const Coefficient a3 = coefficient(r, 0), b3 = coefficient(r, 1), c3 = coefficient(r, 2);
   const Offset d1(p.d), d2(q.d), d3(r.d);
+
   // Minors of the normals, shared by w and the numerators.
   const auto bc23 = minor(b2, c2, b3, c3), bc31 = minor(b3, c3, b1, c1), bc12 = minor(b1, c1, b2, c2);
   const auto ca23 = minor(c2, a2, c3, a3), ca31 = minor(c3, a3, c1, a1), ca12 = minor(c1, a1, c2, a2);
   const auto ab23 = minor(a2, b2, a3, b3), ab31 = minor(a3, b3, a1, b1), ab12 = minor(a1, b1, a2, b2);
+
   Point u;
   u.w = narrow<Denominator::bits>(a1 * bc23 + a2 * bc31 + a3 * bc12);
   const int s = u.w.sign();
   if (s == 0) return std::nullopt;
+
   // Cramer: x = -det(d, b, c), y = -det(a, d, c), z = -det(a, b, d).
   u.x[0] = -narrow<Numerator::bits>(d1 * bc23 + d2 * bc31 + d3 * bc12);
   u.x[1] = -narrow<Numerator::bits>(d1 * ca23 + d2 * ca31 + d3 * ca12);

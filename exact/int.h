@@ -187,6 +187,7 @@ inline Int<A + B - 1> operator*(const Int<A>& a, const Int<B>& b) {
   } else {
     R r;
     for (int i = 0; i < R::words; ++i) r.limb_[i] = 0;
+
 #pragma GCC unroll 12
     for (int i = 0; i < wa; ++i) {
       std::uint64_t carry = 0;
@@ -199,6 +200,7 @@ inline Int<A + B - 1> operator*(const Int<A>& a, const Int<B>& b) {
       }
       if (i + wb < R::words) r.limb_[i + wb] = carry;
     }
+
     if (a.negative()) {
       unsigned char borrow = 0;
 #pragma GCC unroll 12
@@ -232,6 +234,7 @@ inline Int<To> narrow(const Int<From>& v) {
   static_assert(To <= From);
   Int<To> r;
   for (int i = 0; i < Int<To>::words; ++i) r.limb_[i] = v.limb_[i];
+
   if constexpr (checked) {
     const Int<From> back = r;
     bool fits = back == v;
@@ -260,6 +263,7 @@ inline Leading leading(const Int<A>& v) {
   int i = n - 1;
   while (i >= 0 && m.limb(i) == 0) --i;
   if (i < 0) return {};
+
   const int shift = __builtin_clzll(m.limb(i));
   Leading r;
   r.top = m.limb(i) << shift;
@@ -271,6 +275,7 @@ inline Leading leading(const Int<A>& v) {
     rest = m.limb(i - 1);
   }
   for (int j = 0; j + 1 < i; ++j) rest |= m.limb(j);
+
   r.exponent = 64 * i - shift;
   r.sticky = rest != 0;
   return r;
@@ -284,6 +289,7 @@ inline Int<A> shifted_left(const Int<A>& v, int count) {
     const Leading m = leading(v);
     if (m.top != 0 && m.exponent + 64 + count > A - 1) overflow_found(A);
   }
+
   Int<A> r;
   const int whole = count / 64, part = count % 64;
   for (int i = n - 1; i >= 0; --i) {

@@ -25,6 +25,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   std::size_t i = 0;
   bool negative = false;
   if (i < text.size() && (text[i] == '+' || text[i] == '-')) negative = text[i++] == '-';
+
   std::string digits;
   long scale = 0;
   bool any = false;
@@ -32,6 +33,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   if (i < text.size() && text[i] == '.')
     for (++i; i < text.size() && is_digit(text[i]); ++i, any = true, --scale) digits += text[i];
   if (!any) return std::nullopt;
+
   if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
     ++i;
     bool minus = false;
@@ -43,6 +45,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
     scale += minus ? -e : e;
   }
   if (i != text.size() || digits.size() > 4000) return std::nullopt;
+
   const std::size_t first = digits.find_first_not_of('0');  // a leading 0 would mean octal
   Integer n = first == std::string::npos ? Integer(0) : Integer(digits.substr(first));
   if (negative) n = -n;
@@ -58,6 +61,7 @@ double rounded(const Rational& v, int precision, int least_exponent) {
   // 2^e <= n / d < 2^(e + 2)
   const long e = static_cast<long>(mpz_sizeinbase(n.backend().data(), 2)) -
                  static_cast<long>(mpz_sizeinbase(d.backend().data(), 2)) - 1;
+
   for (long top = e + 1; top >= e; --top) {  // try exponents until the quotient has its leading bit there
     const long unit = std::max<long>(top - precision + 1, least_exponent);  // weight of the last kept bit
     Integer a = n, b = d;
@@ -65,11 +69,13 @@ double rounded(const Rational& v, int precision, int least_exponent) {
       b <<= static_cast<unsigned long>(unit);
     else
       a <<= static_cast<unsigned long>(-unit);
+
     Integer q, r;
     divide_qr(a, b, q, r);
     if (top > e && top - precision + 1 > least_exponent &&
         mpz_sizeinbase(q.backend().data(), 2) < static_cast<std::size_t>(precision))
       continue;
+
     const Integer twice = r * 2;
     if (twice > b || (twice == b && bit_test(q, 0))) ++q;
     const double m = static_cast<double>(static_cast<std::uint64_t>(q));

@@ -31,6 +31,7 @@ std::optional<Int<Bits>> to_int(const Integer& v) {
   if (v != 0 && mpz_sizeinbase(v.backend().data(), 2) > Bits - 1) return std::nullopt;
   std::array<std::uint64_t, Int<Bits>::words> limbs{};
   mpz_export(limbs.data(), nullptr, -1, sizeof(std::uint64_t), 0, 0, v.backend().data());
+
   Int<Bits> r(0);
   for (int i = Int<Bits>::words - 1; i >= 0; --i) {
     // Limbs enter in halves, so that no part looks negative.
