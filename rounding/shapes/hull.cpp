@@ -128,8 +128,10 @@ class Hull {
     Polyhedron out;
     std::vector<Index> id(points_.size(), none);
     std::vector<bool> done(facets_.size());
+
     for (Index f = 0; f < facets_.size(); ++f) {
       if (facets_[f].gone || done[f]) continue;
+
       std::vector<Index> face;
       const std::vector<Index> corners = outline(f, done);
       const std::size_t n = corners.size();
