@@ -52,11 +52,13 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
     bool turned;
   };
   std::vector<Place> places;
+
   for (std::size_t i = 0; i < f.half_spaces.size(); ++i) {
     const HalfSpace& h = f.half_spaces[i];
     const auto bad = [&](std::string message) {
       return at_operand({ErrorCode::bad_plane, std::move(message)}, f.half_space_places, i);
     };
+
     std::array<exact::Rational, 4> coefficients;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto number = exact::parse_rational(h.plane[k]);
@@ -65,6 +67,7 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
                    "\" of a plane is neither a decimal nor a rational p/q");
       coefficients[k] = *number;
     }
+
     const auto plane = grid::grid_plane(lattice, coefficients);
     if (!plane)
       return bad("the plane " + h.plane[0] + "," + h.plane[1] + "," + h.plane[2] + "," + h.plane[3] +
@@ -75,6 +78,7 @@ Result<std::vector<exact::Plane>> planes_of(Flattened& f, const grid::Lattice& l
     if (is_new) planes.push_back(key);
     places.push_back({at->second, turned});
   }
+
   const auto solids = static_cast<std::uint32_t>(f.solids.size());
   for (auto& node : f.expression.nodes) {
     if (node.rule != Rule::operand || node.operand < solids) continue;
@@ -110,6 +114,7 @@ Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& k
     const auto clipped = booleans::clip_half_spaces(f.expression, planes.value(), operands, storage, options.cancel);
     if (!clipped) return clipped.error();
   }
+
   auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options));
   if (!result) return result.error();
   return Access::solid(grid, std::move(result).value());
@@ -171,6 +176,7 @@ Result<Solid> symmetric_difference(const std::vector<Solid>& solids, const Optio
 Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_space, const Options& options) {
   const Expression below = half_space;
   std::array<Solid, 2> parts;
+
   for (std::size_t i = 0; i < 2; ++i) {
     const double from = static_cast<double>(i) / 2;
     auto part =

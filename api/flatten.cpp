@@ -22,6 +22,7 @@ class Flattener {
       pending_.pop_back();
       visit(item);
     }
+
     // Solids come first.
     const auto solids = static_cast<std::uint32_t>(out_.solids.size());
     for (std::size_t i = 0; i < nodes().size(); ++i)
@@ -47,6 +48,7 @@ class Flattener {
     static const ExpressionNode& nothing = *new ExpressionNode(ExpressionNode::Kind::any, std::vector<Expression>());
     const ExpressionNode& node = item.node ? *item.node : nothing;
     if (const auto known = known_.find(item.node); known != known_.end()) return add_solid(known->second, item);
+
     switch (node.kind) {
       case ExpressionNode::Kind::solid:
         add_solid(node.solid, item);
@@ -138,6 +140,7 @@ class SharedTerms {
       std::size_t next = 0;
     };
     std::vector<Visit> stack;
+
     const auto enter = [&](const Expression& e) {
       const ExpressionNode* node = Access::node(e);
       if (!node || node->terms.empty()) return;
@@ -147,6 +150,7 @@ class SharedTerms {
       else
         ++at->second.places;
     };
+
     enter(root);
     while (!stack.empty()) {
       Visit& visit = stack.back();
@@ -177,6 +181,7 @@ class SharedTerms {
       term.leaves.count = std::min<std::uint64_t>(term.leaves.count + l.count, std::uint64_t{1} << 40);
       term.leaves.has_half_space = term.leaves.has_half_space || l.has_half_space;
     }
+
     if (term.places == 1 || term.leaves.count <= 256 || term.leaves.has_half_space) return;
     large_.push_back(&e);
     term.leaves.count = 1;

@@ -61,6 +61,7 @@ Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<
   if (!s) return s.error();
   if (s.value() <= 0) return bad_number("the grid step \"" + std::string(step) + "\" is not positive", "step");
   lattice.step = s.value();
+
   for (std::size_t k = 0; k < 3; ++k) {
     const auto o = number(origin[k], "grid origin", std::string("origin, ") + "xyz"[k]);
     if (!o) return o.error();

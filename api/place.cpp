@@ -18,6 +18,7 @@ rounding::ReconstructionOptions options_of(Rounding rounding, const Options& run
   options.progress = run.progress;
   options.cancel = run.cancel;
   options.by_vertices = rounding == Rounding::vertices;
+
   switch (rounding) {
     case Rounding::best:
     case Rounding::vertices:

@@ -43,6 +43,7 @@ Result<grid::Lattice> read_lattice(const io::ExactDocument& document) {
   if (!step) return step.error();
   if (step.value() <= 0) return bad("the step of the grid is not positive", "grid");
   lattice.step = step.value();
+
   for (std::size_t k = 0; k < 3; ++k) {
     const auto origin = lattice_number(document.origin[k]);
     if (!origin) return origin.error();
@@ -166,6 +167,7 @@ std::string Solid::to_quoin() const {
   document.step = grid_.step();
   document.origin = grid_.origin();
   document.full_at_infinity = form.full_at_infinity;
+
   document.vertices.reserve(form.vertices.size());
   for (const auto& p : form.vertices)
     document.vertices.push_back({text_of(p.x[0]), text_of(p.x[1]), text_of(p.x[2]), text_of(p.w)});
@@ -173,6 +175,7 @@ std::string Solid::to_quoin() const {
   for (const auto& p : form.planes)
     document.planes.push_back(
         {std::to_string(p.n[0]), std::to_string(p.n[1]), std::to_string(p.n[2]), exact::to_integer(p.d).str()});
+
   document.face_loops = form.faces.face_start;
   document.loop_corners = form.faces.loop_start;
   document.corners = form.faces.corners;

@@ -47,6 +47,7 @@ class Mover {
     for (Integer& x : v) x /= content;
     for (std::size_t k = 0; k < 3; ++k)
       if (abs(v[k]) > v[3] * exact::world) return fail(Fault::out_of_range, p);
+
     exact::Point r{};
     const auto denominator = exact::to_int<exact::Denominator::bits>(v[3]);
     if (!denominator) return fail(Fault::inexact, p);
@@ -82,6 +83,7 @@ class Mover {
       content = gcd(content, v[k]);
     }
     content = gcd(content, v[3]);
+
     const Integer limit = exact::coefficient_limit, offset_limit = exact::to_integer(exact::offset_limit);
     exact::Plane r{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -137,6 +139,7 @@ Fault moved(const Body& body, const Map& map, std::optional<Body>& result) {
     fault = move_boundary(map, boundary);
     if (fault == Fault::none) result = body_of(boundary);
   }
+
   if (fault != Fault::none) result.reset();
   return fault;
 }
@@ -173,6 +176,7 @@ std::string place_of(const Body& body, const grid::Lattice& from, const Map& map
       if (fails([&](Mover& m) { m.plane(planes[f]); })) return "face at " + described(first_corner(f));
     return {};
   };
+
   if (map.divisor != 1) {
     const auto form = canonical(body);
     return place_in(form.vertices, form.planes,

@@ -94,6 +94,7 @@ Result<Expression> expression(const Gathered& g, const Grid& grid, std::vector<r
       known.push_back(std::move(e).value());
       continue;
     }
+
     std::vector<Expression> terms;
     for (const std::size_t child : term.children) terms.push_back(known[child]);
     known.push_back(joined(term.node->kind, std::move(terms)));

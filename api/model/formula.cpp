@@ -94,6 +94,7 @@ class FormulaReader {
     ++parameters_.depth_;
     if (++depth_ > deepest || parameters_.depth_ > deepest_in_all)
       return fail(ErrorCode::bad_number, "is nested too deeply");
+
     Rational v = 0;
     if (take('-')) {
       v = -factor();
@@ -103,6 +104,7 @@ class FormulaReader {
     } else {
       v = name_or_number();
     }
+
     --depth_;
     --parameters_.depth_;
     return v;
@@ -119,6 +121,7 @@ class FormulaReader {
       at_ = text_.size();
       return 0;
     }
+
     while (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) ++at_;
     // An exponent, if a number follows.
     if (at_ < text_.size() && at_ > begin && (text_[at_] == 'e' || text_[at_] == 'E')) {
@@ -128,6 +131,7 @@ class FormulaReader {
       while (end < text_.size() && is_digit(text_[end])) ++end;
       if (end > digits) at_ = end;
     }
+
     const auto v = exact::parse_rational(text_.substr(begin, at_ - begin));
     return v ? *v : fail(ErrorCode::bad_number, "is neither a number nor a formula");
   }
@@ -151,6 +155,7 @@ Result<Rational> Parameters::parameter(const std::string& name) {
   if (open_.size() == longest_chain)
     return Error{ErrorCode::bad_parameter, "parameters are defined by each other in a row of more than " +
                                                std::to_string(longest_chain) + ", up to \"" + name + "\""};
+
   open_.push_back(name);
   const auto v = value(definition->second);
   open_.pop_back();

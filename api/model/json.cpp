@@ -27,6 +27,7 @@ bool is_number(const std::string& text) {
     while (i < text.size() && text[i] >= '0' && text[i] <= '9') ++i;
     return i - begin;
   };
+
   if (i < text.size() && text[i] == '-') ++i;
   const std::size_t first = i, whole = digits();
   if (whole == 0 || whole > 15 || (whole > 1 && text[first] == '0') || text == "-0") return false;
@@ -66,6 +67,7 @@ class ModelWriter {
       add_scope(*root, document);
       root = Access::node(root->children[0]).get();
     }
+
     find_parts(root);
     name_parts();
     Json parts = io::json_object();
@@ -91,6 +93,7 @@ class ModelWriter {
     std::map<const ModelNode*, int> height;
     std::set<const ModelNode*> shared;
     std::vector<Visit> stack;
+
     const auto enter = [&](const ModelNode* node) {
       if (node == nullptr) return;
       if (const auto known = height.find(node); known != height.end()) {
@@ -100,6 +103,7 @@ class ModelWriter {
       }
       stack.push_back({node});
     };
+
     std::vector<const ModelNode*> all;
     enter(root);
     while (!stack.empty()) {
@@ -108,6 +112,7 @@ class ModelWriter {
         enter(Access::node(visit.node->children[visit.next++]).get());
         continue;
       }
+
       const Visit done = visit;
       stack.pop_back();
       int h = done.height + 1;
@@ -119,6 +124,7 @@ class ModelWriter {
       all.push_back(done.node);
       if (!stack.empty()) stack.back().height = std::max(stack.back().height, h);
     }
+
     for (const ModelNode* node : all)
       if (shared.count(node) && node != root) order_.push_back(node);
   }
@@ -157,6 +163,7 @@ class ModelWriter {
     }
     if (node->kind == ModelKind::scope) add_scope(*node, body);
     if (node->kind == ModelKind::solid) body.members.emplace_back("quoin", io::json_text(node->solid->to_quoin()));
+
     if (rule.children == ModelChildren::many) {
       body = io::json_list();
       for (const Model& child : node->children) body.items.push_back(reference(Access::node(child).get()));
@@ -167,6 +174,7 @@ class ModelWriter {
       else
         body.members.emplace_back("of", std::move(child));
     }
+
     Json object = io::json_object({{rule.word, std::move(body)}});
     if (!node->name.empty()) object.members.emplace_back("name", io::json_text(node->name));
     return object;

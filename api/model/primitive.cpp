@@ -109,10 +109,12 @@ Result<Polyhedron> boolean_intersection(const std::vector<WidePlane>& planes, bo
     const Rational size = rounding::magnitude(p.n[0]) + rounding::magnitude(p.n[1]) + rounding::magnitude(p.n[2]);
     reach = std::max<Rational>(reach, rounding::magnitude(p.d) / size);
   }
+
   grid::Lattice lattice;
   while (reach > lattice.step * (1 << 18)) lattice.step *= 2;
   const rounding::PlaneRounder rounder;
   const rounding::AffineMap to_model = inverse(rounding::to_grid(lattice));
+
   std::vector<Expression> terms;
   for (const WidePlane& p : planes) {
     const WidePlane in_steps = moved(p, to_model);
@@ -121,6 +123,7 @@ Result<Polyhedron> boolean_intersection(const std::vector<WidePlane>& planes, bo
     is_exact = is_exact && rounder.fits(in_steps);
     terms.push_back(half_space(*plane, lattice));
   }
+
   auto solid =
       evaluate(Solid::empty(Access::grid(lattice)) + Expression::intersect(std::move(terms)), {.cancel = run.cancel});
   if (!solid) return solid.error();
@@ -134,6 +137,7 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
   bool is_exact = true;
   auto near = boolean_intersection(planes, is_exact, run);
   if (!near || is_exact) return near;
+
   // Long numbers: from any point inside.
   const std::vector<rounding::Vector>& points = near.value().points;
   rounding::Vector inside{0, 0, 0};
@@ -154,6 +158,7 @@ Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Options& r
     const std::uint32_t sides = n.count(height + 1);
     return rounding::frustum(sides, bottom, top, h, n.fit(height + 2));
   };
+
   switch (node.kind) {
     case block:
       return rounding::block(n.vector<3>(0));
