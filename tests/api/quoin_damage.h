@@ -48,6 +48,7 @@ inline std::string closed(const Document& d) {
       n.corners.insert(n.corners.end(), loop.begin(), loop.end());
       n.loop_corners.push_back(static_cast<std::uint32_t>(n.corners.size()));
     }
+
     const auto loops = static_cast<std::uint32_t>(n.loop_corners.size() - 1);
     if (loops == n.face_loops.back()) continue;
     n.face_loops.push_back(loops);
@@ -72,11 +73,13 @@ inline void damage(Document& d, std::uint32_t kind, std::uint32_t a, std::uint32
   auto& loop = face[l];
   if (loop.empty()) return;
   const std::size_t i = c % loop.size(), j = (c + 1) % loop.size();
+
   const auto at = [](std::size_t k) { return static_cast<std::ptrdiff_t>(k); };
   const auto repeat_plane = [&] {
     const std::array<std::string, 4> plane = d.numbers.planes[f];
     d.numbers.planes.insert(d.numbers.planes.begin() + at(f), plane);
   };
+
   switch (kind % kinds) {
     case 0:  // a loop twice
       face.push_back(std::vector(loop));
@@ -160,6 +163,7 @@ inline void damage(Document& d, std::uint32_t kind, std::uint32_t a, std::uint32
       std::array<std::string, 4> middle;
       for (std::size_t k = 0; k < 3; ++k) middle[k] = std::to_string((number(p[k]) + number(q[k])) / 2);
       middle[3] = "1";
+
       const auto place =
           static_cast<std::uint32_t>(c % 2 ? vertices.size() : static_cast<std::size_t>(std::max(loop[i], loop[j])));
       const std::uint32_t u = loop[i], v = loop[j];
@@ -232,6 +236,7 @@ inline std::vector<std::string> valid_texts() {
   const Solid needle = tetrahedron({{{1, 1, 4}, {2, 1, 4}, {1, 2, 6}, {1, 0, 6}}});  // stands on an edge
   const Solid spike = tetrahedron({{{2, 2, 4}, {3, 2, 6}, {2, 3, 6}, {1, 1, 6}}});   // stands on a corner
   const Solid skew = tetrahedron({{{-1, -1, -1}, {6, 0, 1}, {0, 7, 1}, {1, 1, 5}}});
+
   const std::vector<Solid> solids{
       cube,
       skew,
@@ -251,6 +256,7 @@ inline std::vector<std::string> valid_texts() {
       cube.on_grid(Grid::with_step("1/3").value()).value(),
       block({0, 0, 0}, {1, 1, 1}) + block({3, 0, 0}, {4, 1, 1}),  // faces of one plane
   };
+
   std::vector<std::string> texts;
   for (const Solid& s : solids) texts.push_back(s.to_quoin());
   return texts;
@@ -299,6 +305,7 @@ inline std::optional<std::string> broken_law(const std::string& text) {
   const auto whole = [](double x) { return static_cast<int>(x); };
   if (*std::min_element(low.begin(), low.end()) < -1e6 || *std::max_element(high.begin(), high.end()) > 1e6)
     return std::nullopt;
+
   for (int side = 0; side < 4; ++side) {
     std::array<int, 3> at{whole(low[0]), whole(low[1]), whole(low[2])};
     const int size = whole(high[0] - low[0]) + 1;
@@ -312,6 +319,7 @@ inline std::optional<std::string> broken_law(const std::string& text) {
     const Solid cube = from_mesh(points, {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                           2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5},
                                  solid.grid());
+
     if (volume(solid + cube) + volume(solid & cube) != volume(solid) + volume(cube))
       return "volumes of union and intersection add up to those of the operands";
     if (!(((solid + cube) - cube) + (solid & cube) == solid)) return "a solid is what is beyond a cube and in it";

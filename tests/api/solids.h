@@ -56,6 +56,7 @@ inline Solid random_tetrahedron(std::mt19937_64& random, int size, const Grid& g
     std::array<Corner, 4> c;
     for (auto& corner : c)
       for (auto& x : corner) x = static_cast<double>(random() % (2 * static_cast<unsigned>(size) + 1)) - size;
+
     double det = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;

@@ -48,6 +48,7 @@ inline std::vector<Tetrahedron> five_tetrahedra(const Vector& cell) {
   };
   const Tetrahedron regular{corner(0, 0, 0), corner(1, 1, 0), corner(1, 0, 1), corner(0, 1, 1)};
   const Tetrahedron others{corner(1, 1, 1), corner(0, 0, 1), corner(0, 1, 0), corner(1, 0, 0)};
+
   std::vector<Tetrahedron> all{regular};
   for (std::size_t i = 0; i < 4; ++i) {  // others[i] is opposite to regular[i], a neighbour of all the rest
     Tetrahedron t = regular;

@@ -49,6 +49,7 @@ inline std::optional<Body> mesh(std::span<const Vector> points, std::span<const 
     body.grid_points.push_back(
         {{static_cast<std::int32_t>(p[0]), static_cast<std::int32_t>(p[1]), static_cast<std::int32_t>(p[2])}});
   }
+
   for (const Triangle& t : triangles) {
     const Triangle c{id[t[0]], id[t[1]], id[t[2]]};
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) body.triangles.push_back(c);
@@ -133,6 +134,7 @@ inline std::optional<Body> octahedron(const Vector& centre, const Vector& u, con
   const exact::int128 det = determinant(u, v, w);
   if (det == 0) return std::nullopt;
   const std::array<Vector, 6> points{centre + u, centre - u, centre + v, centre - v, centre + w, centre - w};
+
   std::vector<Triangle> faces;
   for (std::uint32_t i = 0; i < 8; ++i) {
     const std::uint32_t a = i & 1, b = 2 + (i >> 1 & 1), c = 4 + (i >> 2);
@@ -148,6 +150,7 @@ inline Body extruded(std::span<const std::array<std::int64_t, 2>> polygon, std::
   std::vector<Vector> points;
   for (std::int64_t z : {low, high})
     for (const auto& p : polygon) points.push_back({p[0], p[1], z});
+
   std::vector<Triangle> faces;
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -186,16 +189,19 @@ std::optional<Body> sphere(const Vector& centre, std::uint32_t rings, std::uint3
   for (std::uint32_t i = 1; i < rings; ++i)
     for (std::uint32_t j = 0; j < segments; ++j) add(i, j);
   add(rings, 0);
+
   const auto at = [&](std::uint32_t i, std::uint32_t j) {
     if (i == 0) return 0u;
     return i == rings ? static_cast<std::uint32_t>(points.size() - 1) : 1 + (i - 1) * segments + j % segments;
   };
+
   std::vector<Triangle> faces;
   for (std::uint32_t i = 0; i < rings; ++i)
     for (std::uint32_t j = 0; j < segments; ++j) {
       if (i > 0) faces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
       if (i + 1 < rings) faces.push_back({at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)});
     }
+
   // Every face seen from the centre counter-clockwise from outside: the radial projection is one to one.
   for (const Triangle& f : faces)
     if (determinant(points[f[0]] - centre, points[f[1]] - centre, points[f[2]] - centre) <= 0) return std::nullopt;
@@ -230,6 +236,7 @@ std::optional<Body> folded_sheet(Between&& between, std::uint32_t n, std::int64_
   const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     triangles.insert(triangles.end(), {a, b, c});
   };
+
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
       face(at(i, j), at(i, j + 1), at(i + 1, j + 1));

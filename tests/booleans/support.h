@@ -181,6 +181,7 @@ class Solids {
     const std::int64_t x = random_.between(1, high - 1), y = random_.between(1, high - 1);
     const Body l =
         l_shape({x, y}, {random_.between(x + 1, high), random_.between(y + 1, high)}, 0, random_.between(1, high));
+
     // One of the 48 symmetries of the cube, moved back to where it came from.
     std::array<Vector, 3> columns{};
     Vector origin{};
@@ -250,6 +251,7 @@ class Solids {
       const std::int64_t w = exact::world;
       return body ? scaled(*body, w / 2, {-w, -w, -w}) : std::nullopt;
     }
+
     const auto point = [&](const exact::GridPoint& p) {
       Vector v{};
       for (std::size_t k = 0; k < 3; ++k) v[k] = scale_[k][static_cast<std::size_t>(p.c[k])];
@@ -259,6 +261,7 @@ class Solids {
       const Body b = *axis_box(0, 4);
       return box(point(b.grid_points[0]), point(b.grid_points[b.grid_points.size() - 1]));
     }
+
     const auto body = any_tetrahedron(0, 4);
     if (!body) return std::nullopt;
     const std::array<Vector, 4> p{point(body->grid_points[0]), point(body->grid_points[1]), point(body->grid_points[2]),

@@ -106,9 +106,11 @@ class CliTest : public testing::Test {
     std::vector<char*> arguments = {const_cast<char*>(program.c_str())};
     for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
+
     const auto out = base_ / "out", err = base_ / "err";
     const pid_t child = ::fork();
     if (child != 0) return child;
+
     const auto redirect = [](const std::filesystem::path& path, int target) {
       return ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), target) >= 0;
     };

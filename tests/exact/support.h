@@ -39,6 +39,7 @@ inline Integer biased_integer(std::mt19937_64& random, unsigned magnitude) {
     for (unsigned i = 0; i < length; i += 64) v = (v << 64) | Integer(random());
     return Integer(v % (Integer(1) << length));
   };
+
   const unsigned k = static_cast<unsigned>(below(random, magnitude));
   Integer v;
   switch (below(random, 8)) {
@@ -64,6 +65,7 @@ inline Integer biased_integer(std::mt19937_64& random, unsigned magnitude) {
       v = uniform(k + 1);
       break;
   }
+
   v %= Integer(1) << magnitude;
   return below(random, 2) == 0 ? v : Integer(-v);
 }

@@ -91,6 +91,7 @@ inline std::vector<std::uint32_t> triangle_starts(std::size_t count) {
 inline bool is_valid(const PolygonMesh& mesh) {
   if (mesh.points.size() % 3 != 0 || mesh.starts.empty() || mesh.starts.front() != 0) return false;
   if (mesh.starts.back() != mesh.corners.size()) return false;
+
   for (std::size_t i = 0; i + 1 < mesh.starts.size(); ++i) {
     if (mesh.starts[i + 1] < mesh.starts[i] || mesh.starts[i + 1] - mesh.starts[i] < 3) return false;
   }
@@ -114,6 +115,7 @@ inline std::string code_of(std::string_view bytes, Format format) {
     EXPECT_NE(mesh.error().code, ErrorCode::internal_defect);
     return to_string(mesh.error().code);
   }
+
   EXPECT_TRUE(is_valid(mesh.value()));
   const std::size_t allocated =
       mesh.value().points.capacity() * 8 + mesh.value().starts.capacity() * 4 + mesh.value().corners.capacity() * 4;
@@ -160,6 +162,7 @@ inline void read_mutations(std::string_view bytes, Format format, std::size_t ro
           mutant.insert(at, mutant.substr(at, random() % 40));
       }
     }
+
     (void)code_of(mutant, format);
     if (::testing::Test::HasFailure()) {
       ADD_FAILURE() << "round " << round;

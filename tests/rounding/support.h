@@ -26,6 +26,7 @@ inline Integer power_of_2(unsigned bits) { return Integer(1) << bits; }
 inline Rational random_rational(std::mt19937_64& random, unsigned magnitude = 80) {
   const auto small = [&] { return Rational(between(random, -40, 40), between(random, 1, 40)); };
   const auto tiny = [&] { return Rational(between(random, -1, 1), power_of_2(magnitude)); };
+
   switch (below(random, 6)) {
     case 0:
       return Rational(between(random, -3, 3)) / 2;
@@ -66,6 +67,7 @@ inline WidePlane random_plane(std::mt19937_64& random, unsigned magnitude) {
     Vector n;
     for (Rational& x : n) x = biased_integer(random, magnitude);
     Rational d = biased_integer(random, 2 * magnitude);
+
     if (below(random, 2) == 0) {
       n = random_direction(random, 3);
       d = random_rational(random, magnitude);

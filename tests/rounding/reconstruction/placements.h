@@ -75,12 +75,14 @@ inline std::vector<Vector> carried(const Placement& placement) {
 inline Rational squared_movement(const Placement& placement, const Canonical& form) {
   std::vector<Vector> vertices;
   for (const exact::Point& v : form.vertices) vertices.push_back(vertex(v));
+
   Rational most = 0;
   for (const Vector& p : carried(placement)) {
     // Those near in doubles.
     std::vector<double> distance;
     for (const Vector& v : vertices) distance.push_back(exact::to_double(dot(v - p, v - p)));
     const double least = *std::min_element(distance.begin(), distance.end());
+
     Rational nearest = -1;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (distance[i] > least * 1.001 + 1e-300) continue;
@@ -103,6 +105,7 @@ inline Conditions conditions(const Canonical& form) {
     const WidePlane plane = wide(form.planes[f]);
     const auto begin = form.faces.corners.begin() + form.faces.loop_start[form.faces.face_start[f]];
     const auto end = form.faces.corners.begin() + form.faces.loop_start[form.faces.face_start[f + 1]];
+
     for (std::uint32_t v = 0; v < form.vertices.size(); ++v) {
       if (std::find(begin, end, v) != end) {
         EXPECT_EQ(value(plane, vertex(form.vertices[v])), 0);

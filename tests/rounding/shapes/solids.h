@@ -44,6 +44,7 @@ inline void append(Polyhedron& p, const Polyhedron& q) {
     const auto at = std::find(p.points.begin(), p.points.end(), v);
     id.push_back(at != p.points.end() ? static_cast<std::uint32_t>(at - p.points.begin()) : p.add_point(v));
   }
+
   for (std::uint32_t f = 0; f < q.face_count(); ++f) {
     p.planes.push_back(q.planes[f]);
     p.faces.face_start.push_back(p.faces.face_start.back());

@@ -31,12 +31,14 @@ inline std::string fault(const Polyhedron& p) {
   if (p.faces.face_start.size() != p.planes.size() + 1 || p.faces.face_start.back() != loop_count(p) ||
       p.faces.loop_start.back() != p.faces.corners.size())
     return "lists do not fit";
+
   std::map<Edge, std::uint32_t> faces;
   std::vector<bool> used(p.points.size());
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
     const std::string face = "face " + std::to_string(f);
     const WidePlane& plane = p.planes[f];
     if (plane != wide_plane({plane.n[0], plane.n[1], plane.n[2]}, plane.d)) return face + ": not in lowest terms";
+
     Vector area{0, 0, 0};
     bool on = true, single = true;
     p.faces.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
@@ -50,6 +52,7 @@ inline std::string fault(const Polyhedron& p) {
     const Vector n{plane.n[0], plane.n[1], plane.n[2]};
     if (cross(area, n) != Vector{0, 0, 0} || dot(area, n) <= 0) return face + ": turned round";
     if (p.faces.face_start[f] == p.faces.face_start[f + 1]) return face + ": no loop";
+
     for (std::uint32_t j = p.faces.face_start[f]; j < p.faces.face_start[f + 1]; ++j) {
       const auto l = p.faces.loop(j);
       if (l.size() < 3) return face + ": a loop of two";
@@ -62,11 +65,13 @@ inline std::string fault(const Polyhedron& p) {
       if ((dot(part, n) > 0) != (j == p.faces.face_start[f])) return face + ": a loop turned round";
     }
   }
+
   for (const auto& [edge, f] : faces) {
     const auto other = faces.find({edge.second, edge.first});
     if (other == faces.end()) return "an open edge";
     if (p.planes[other->second] == p.planes[f]) return "two neighbours on one plane";
   }
+
   if (std::find(used.begin(), used.end(), false) != used.end()) return "a point on no face";
   if (volume(p) <= 0) return "inside out";
   return "";
