@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "booleans/pairs/own_pairs.h"
+#include "tests/booleans/shapes.h"
 #include "tests/booleans/stages.h"
 
 namespace quoin::booleans::testing {
@@ -26,6 +28,32 @@ TEST(LineTrace, TreesFindTheContactsThatAllEdgesFind) {
     };
     ASSERT_EQ(contacts(0), contacts(1u << 30));
   });
+}
+
+/// Faces that cover their plane more than once: how often they do where a line begins is counted.
+TEST(LineTrace, TreesCountTheCoversOfFoldedFaces) {
+  std::size_t found = 0;
+  for (std::uint64_t number = 0; number < case_count(150); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xF01E, number);
+    const auto between = [&](std::int64_t low, std::int64_t high) { return random.between(low, high); };
+    const auto n = static_cast<std::uint32_t>(random.between(2, 5));
+    const auto mesh = folded_sheet(between, n, random.between(2, 8));
+    if (!mesh) continue;
+
+    const FacePairs pairs = improper_pairs(*mesh, stars(*mesh));
+    const auto contacts = [&](std::uint32_t large) {
+      const WithThresholds thresholds(grid::testing::with(&grid::Thresholds::large_face, large));
+      const Operands operands({&*mesh}, false);
+      Names names;
+      const Touched touched = collect_touched(operands, pairs, names);
+      return text_of(find_contacts(touched, touched_pairs(touched, pairs), names), names);
+    };
+    const std::string by_trees = contacts(0);
+    ASSERT_EQ(by_trees, contacts(1u << 30));
+    found += !by_trees.empty();
+  }
+  EXPECT_GT(found, 0u);
 }
 
 }  // namespace

@@ -138,18 +138,22 @@ TEST(ImproperPairs, AreThoseThatMeetImproperly) {
   }
 }
 
-// The edge that faces the common corner, of the first or of the second one, may meet the other triangle.
+// The edge that faces the common corner, of the first or of the second one, may meet the other triangle; mirrored they
+// come in the other order.
 TEST(ImproperPairs, TrianglesOfOneCorner) {
-  const auto pairs = [](std::int32_t reach) {
+  const auto pairs = [](std::int32_t reach, std::int32_t way) {
     Body mesh;
-    mesh.grid_points = {{{0, 0, 0}}, {{10, -10, 0}}, {{10, 10, 0}}, {{reach, 0, -3}}, {{reach, 0, 3}}};
+    mesh.grid_points = {
+        {{0, 0, 0}}, {{way * 10, -10, 0}}, {{way * 10, 10, 0}}, {{way * reach, 0, -3}}, {{way * reach, 0, 3}}};
     mesh.triangles.push_back({0, 1, 2});
     mesh.triangles.push_back({0, 3, 4});
     return improper_pairs(mesh, std::vector<Star>(5, Star::other)).size();
   };
-  EXPECT_EQ(pairs(4), 1u);
-  EXPECT_EQ(pairs(20), 1u);
-  EXPECT_EQ(pairs(-4), 0u);
+  for (const std::int32_t way : {1, -1}) {
+    EXPECT_EQ(pairs(4, way), 1u);
+    EXPECT_EQ(pairs(20, way), 1u);
+    EXPECT_EQ(pairs(-4, way), 0u);
+  }
 }
 
 // What pierces a cone above its base is on one side of the base, and so is what passes by.
