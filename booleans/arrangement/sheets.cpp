@@ -66,9 +66,9 @@ struct Batch {
   std::vector<Drawn> drawn;
   std::vector<Open> open;  // sheets that wait for the names of new points
 
-  void add(SheetId sheet, Subdivider& subdivider, Outline& outline) {
+  void add(SheetId sheet, const Names& names, Outline& outline, Drawing& drawing) {
     drawn.push_back({sheet, Extent(lists)});
-    subdivider.draw(outline, lists);
+    draw(names, outline, drawing, lists);
   }
   void finish(ById<SheetId, Sheet>& sheets) const {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -87,7 +87,7 @@ struct Batch {
 /// The memory of a thread, kept from sheet to sheet.
 struct Desk {
   Outline outline;
-  Subdivider subdivider;
+  Drawing drawing;
 };
 
 }  // namespace
@@ -95,7 +95,7 @@ struct Desk {
 Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& names) {
   const Plan plan(touched, contacts, names.planes.size());
   const std::size_t n = plan.plane.size();
-  tbb::enumerable_thread_specific<Desk> desks([&] { return Desk{{}, Subdivider(names)}; });
+  tbb::enumerable_thread_specific<Desk> desks;
   ById<SheetId, Sheet> sheets(n);
 
   // Sheets whose segments cross in new points wait until these have names.
@@ -111,7 +111,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
       for (const std::uint32_t p : plan.points[i]) maker.add_point(contacts.points[p].vertex);
       maker.find_splits();
       if (desk.outline.new_points.empty())
-        batches[b].add(i, desk.subdivider, desk.outline);
+        batches[b].add(i, names, desk.outline, desk.drawing);
       else
         batches[b].open.push_back({i, std::move(desk.outline)});
     }
@@ -122,7 +122,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
     for (auto& open : batch.open) open.outline.name_points(names.vertices);
 
   grid::in_stretches(batches.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
-    for (auto& open : batches[b].open) batches[b].add(open.sheet, desks.local().subdivider, open.outline);
+    for (auto& open : batches[b].open) batches[b].add(open.sheet, names, open.outline, desks.local().drawing);
   });
 
   std::vector<SheetLists> lists;
