@@ -184,236 +184,284 @@ class ModelWriter {
   std::map<const ModelNode*, std::string> part_name_;
 };
 
-// Reading.
+// Reading. Errors name the place of the value that is wrong.
 
-class ModelReader {
- public:
-  /// `imports`: nullptr, or where files that are read are added.
-  ModelReader(const std::string& folder, std::vector<MeshImport>* imports) : folder_(folder), imports_(imports) {}
-
-  Result<Model> run(const Json& document) {
-    if (document.kind != Json::Kind::object) return bad(document, "a model is an object {..}");
-    const Json* stated = document.member(version_key);
-    if (!stated) return bad(document, "the member \"quoin-model\": 1 is missing: this is no model of Quoin's");
-    if (stated->kind != Json::Kind::number) return bad(*stated, "the version is a number, without quotes");
-    if (stated->text != version)
-      return bad(*stated, "this is version " + stated->text + " of the format; this program reads version " + version);
-    if (auto fault = unknown_member(document, {version_key, "step", "parameters", "parts", "model"})) return *fault;
-    if (const Json* parts = document.member("parts")) {
-      if (parts->kind != Json::Kind::object) return bad(*parts, "\"parts\" is an object of named nodes");
-      parts_ = parts;
-    }
-    const Json* root = document.member("model");
-    if (!root) return bad(document, "the member \"model\" is missing");
-    // In the order of the text, so that parts made of earlier ones are no deep recursion.
-    if (parts_)
-      for (const auto& [name, json] : parts_->members)
-        if (auto part = this->part(name, json); !part) return part.error();
-    auto model = node(*root);
-    if (!model || !(document.member("step") || document.member("parameters"))) return model;
-    return scoped(document, std::move(model).value());
-  }
-
- private:
-  static std::optional<Error> unknown_member(const Json& object, std::initializer_list<std::string_view> known) {
-    for (const auto& [name, value] : object.members)
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        std::string list;
-        for (const auto word : known) list += (list.empty() ? "" : ", ") + std::string(word);
-        return bad(value, "\"" + name.substr(0, 80) + "\" is not known here; known are: " + list);
-      }
-    return std::nullopt;
-  }
-
-  /// A scope around a model, as "step" and "parameters" of an object say.
-  Result<Model> scoped(const Json& object, Model model) {
-    auto scope = std::make_shared<ModelNode>();
-    scope->kind = ModelKind::scope;
-    scope->place = object.place();
-    scope->children.push_back(std::move(model));
-    if (const Json* step = object.member("step")) {
-      if (step->kind != Json::Kind::number && step->kind != Json::Kind::text) return bad(*step, "the step is a number");
-      if (auto grid = Grid::with_step(step->text); !grid) return bad(*step, grid.error().message);
-      scope->step = step->text;
-    }
-    if (const Json* parameters = object.member("parameters")) {
-      if (parameters->kind != Json::Kind::object) return bad(*parameters, "\"parameters\" is an object of numbers");
-      for (const auto& [name, value] : parameters->members) {
-        if (!is_parameter_name(name))
-          return bad(value,
-                     "\"" + name.substr(0, 80) + "\" is no name for a parameter: a letter, then letters and digits");
-        if (value.kind != Json::Kind::number && value.kind != Json::Kind::text)
-          return bad(value, "a parameter is a number, or a formula in quotes");
-        scope->parameters[name] = value.text;
-      }
-    }
-    return Access::model(std::move(scope));
-  }
-
-  Result<Model> part(const std::string& name, const Json& json) {
-    if (const auto known = known_parts_.find(name); known != known_parts_.end()) return known->second;
-    if (!open_.insert(name).second) return bad(json, "the part \"" + name + "\" contains itself");
-    auto model = node(json);
-    open_.erase(name);
-    if (model) known_parts_.emplace(name, model.value());
-    return model;
-  }
-
-  Result<Model> part_named(const Json& json) {
-    const auto fault = bad(json, "there is no part \"" + json.text.substr(0, 80) + "\"");
-    const Json* found = parts_ && json.kind == Json::Kind::text ? parts_->member(json.text) : nullptr;
-    return found ? part(json.text, *found) : fault;
-  }
-
-  Result<Model> node(const Json& json) {
-    if (json.kind != Json::Kind::object)
-      return bad(json, "a node is an object such as {\"block\": {\"size\": [1, 2, 3]}}");
-    if (depth_ == deepest) return bad(json, "parts are nested too deeply");
-    const Json* name = json.member("name");
-    if (name && name->kind != Json::Kind::text) return bad(*name, "a name is a text");
-    if (json.members.size() != (name ? 2U : 1U))
-      return bad(json, "a node has one member that says what it is, and perhaps a \"name\"");
-    const auto& [word, body] = json.members[json.members[0].first == "name" ? 1 : 0];
-    ++depth_;
-    auto model = word == "part" ? part_named(body) : word == "mesh" ? mesh(json, body) : known_node(json, word, body);
-    --depth_;
-    if (model && name) return model.value().named(name->text);
-    return model;
-  }
-
-  /// A solid from a file.
-  Result<Model> mesh(const Json& json, const Json& body) {
-    const Json* file = body.member("file");
-    if (!file || file->kind != Json::Kind::text) return bad(body, "a mesh has the member \"file\", a text");
-    if (auto fault = unknown_member(body, {"file"})) return *fault;
-
-    const std::string path = file->text.starts_with('/') ? file->text : folder_ + "/" + file->text;
-    ImportReport report;
-    auto solid = quoin::read_solid(path, {}, &report);
-    if (!solid) return solid.error();
-    note_import(path, report);
-
-    auto made = std::make_shared<ModelNode>();
-    made->kind = ModelKind::solid;
-    made->place = json.place();
-    made->solid = std::move(solid).value();
-    return Access::model(std::move(made));
-  }
-
-  /// A file that is named again is the same again.
-  void note_import(const std::string& path, const ImportReport& report) {
-    if (!imports_) return;
-    const auto is_known = [&](const MeshImport& known) { return known.file == path; };
-    if (std::none_of(imports_->begin(), imports_->end(), is_known)) imports_->push_back({path, report});
-  }
-
-  Result<Model> known_node(const Json& json, const std::string& word, const Json& body) {
-    const ModelRule* rule = rule_of(word);
-    if (!rule) return bad(json, "\"" + word.substr(0, 80) + "\" is no kind of node");
-    auto made = std::make_shared<ModelNode>();
-    made->kind = rule->kind;
-    made->place = json.place();
-    if (rule->children == ModelChildren::many) {
-      if (body.kind != Json::Kind::list) return bad(body, "\"" + word + "\" is a list of nodes");
-      for (const Json& item : body.items) {
-        auto child = node(item);
-        if (!child) return child.error();
-        made->children.push_back(std::move(child).value());
-      }
-      return Access::model(std::move(made));
-    }
-    if (rule->kind == ModelKind::complement) {
-      auto child = node(body);
-      if (!child) return child.error();
-      made->children.push_back(std::move(child).value());
-      return Access::model(std::move(made));
-    }
-    if (body.kind != Json::Kind::object) return bad(body, "\"" + word + "\" is an object {..}");
-    if (auto fault = read_fields(*rule, body, *made)) return *fault;
-    if (rule->kind == ModelKind::scope) return scoped(body, made->children[0]);
-    return Access::model(std::move(made));
-  }
-
-  std::optional<Error> read_fields(const ModelRule& rule, const Json& body, ModelNode& made) {
-    for (const auto& [name, value] : body.members) {
-      const auto known = [&word = name](const ModelField& f) { return word == f.name; };
-      const bool is_scope = rule.kind == ModelKind::scope && (name == "step" || name == "parameters");
-      if (std::any_of(rule.fields.begin(), rule.fields.end(), known) || is_scope ||
-          (rule.children == ModelChildren::one && name == "of") || (rule.kind == ModelKind::solid && name == "quoin"))
-        continue;
-      std::string list;
-      for (const ModelField& f : rule.fields) list += (list.empty() ? "" : ", ") + std::string(f.name);
-      return bad(value, "\"" + name.substr(0, 80) + "\" is not known in \"" + rule.word + "\"; known are: " + list +
-                            (rule.children == ModelChildren::one ? ", of" : ""));
-    }
-    for (const ModelField& field : rule.fields) {
-      const Json* json = body.member(field.name);
-      if (!json && !field.fallback) return bad(body, "\"" + std::string(rule.word) + "\" lacks \"" + field.name + "\"");
-      auto value = json ? read_value(*json, field, field.lists) : Result<ModelValue>(ModelValue{field.fallback});
-      if (!value) return value.error();
-      made.values.push_back(std::move(value).value());
-    }
-    // A matrix is not any list of rows.
-    if (rule.kind == ModelKind::transform && made.values[0].items.size() != 3)
-      return bad(body, "a matrix has three rows");
-    if (rule.kind == ModelKind::solid) return read_solid(body, made);
-    if (rule.children == ModelChildren::one) {
-      const Json* of = body.member("of");
-      if (!of) return bad(body, "\"" + std::string(rule.word) + "\" lacks \"of\"");
-      auto child = node(*of);
-      if (!child) return child.error();
-      made.children.push_back(std::move(child).value());
-    }
-    return std::nullopt;
-  }
-
-  static std::optional<Error> read_solid(const Json& body, ModelNode& made) {
-    const Json* text = body.member("quoin");
-    if (!text || text->kind != Json::Kind::text)
-      return bad(body, "\"solid\" lacks \"quoin\", the text of a .quoin file");
-    auto solid = Solid::from_quoin(text->text);
-    if (!solid) return bad(*text, solid.error().message + " (" + solid.error().where + ")");
-    made.solid = std::move(solid).value();
-    return std::nullopt;
-  }
-
-  static Result<ModelValue> read_value(const Json& json, const ModelField& field, int lists) {
-    const auto scalar = [&](const Json& v) -> Result<ModelValue> {
-      if (v.kind != Json::Kind::number && v.kind != Json::Kind::text)
-        return bad(v, "\"" + std::string(field.name) + "\" wants a number, or a formula in quotes");
-      return ModelValue{v.text};
-    };
-    if (lists == 0 && field.count == 1) return scalar(json);
-    if (lists == 0 && json.kind != Json::Kind::list) {
-      // "x", "y", "z" are directions; one factor is that of all directions.
-      const std::string_view name = field.name;
-      ModelValue v;
-      if ((name == "axis" || name == "normal") && (json.text == "x" || json.text == "y" || json.text == "z"))
-        for (const char* axis : {"x", "y", "z"}) v.items.push_back({json.text == axis ? "1" : "0"});
-      if (name == "factors" && (json.kind == Json::Kind::number || json.kind == Json::Kind::text))
-        v.items.assign(3, {json.text});
-      if (!v.items.empty()) return v;
-    }
-    if (json.kind != Json::Kind::list || (lists == 0 && json.items.size() != field.count))
-      return bad(json, "\"" + std::string(field.name) + "\" wants a list" +
-                           (lists == 0 ? " of " + std::to_string(field.count) + " numbers" : ""));
-    ModelValue v;
-    for (const Json& item : json.items) {
-      auto inner = lists > 0 ? read_value(item, field, lists - 1) : scalar(item);
-      if (!inner) return inner.error();
-      v.items.push_back(std::move(inner).value());
-    }
-    return v;
-  }
-
+/// A document that is being read.
+struct Reading {
+  const std::string& folder;                // of the files that it names
+  std::vector<MeshImport>* imports;         // nullptr, or where files that are read are added
+  const Json* parts;                        // nullptr where it has none
+  std::map<std::string, Model> known = {};  // parts that are read
+  std::set<std::string> open = {};          // parts that are being read
+  int depth = 0;                            // of nodes within each other
   static constexpr int deepest = 500;
-  const std::string& folder_;
-  std::vector<MeshImport>* imports_;
-  const Json* parts_ = nullptr;
-  std::map<std::string, Model> known_parts_;
-  std::set<std::string> open_;
-  int depth_ = 0;
 };
+
+Result<Model> read_node(const Json& json, Reading& reading);
+
+/// Names may be long.
+std::string quoted(const std::string& word) { return "\"" + word.substr(0, 80) + "\""; }
+
+bool is_scalar(const Json& json) { return json.kind == Json::Kind::number || json.kind == Json::Kind::text; }
+
+std::shared_ptr<ModelNode> node_at(const Json& json, ModelKind kind) {
+  auto node = std::make_shared<ModelNode>();
+  node->kind = kind;
+  node->place = json.place();
+  return node;
+}
+
+std::optional<Error> unknown_member(const Json& object, std::initializer_list<std::string_view> known) {
+  for (const auto& [name, value] : object.members)
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string list;
+      for (const auto word : known) list += (list.empty() ? "" : ", ") + std::string(word);
+      return bad(value, quoted(name) + " is not known here; known are: " + list);
+    }
+  return std::nullopt;
+}
+
+// Scopes.
+
+std::optional<Error> read_step(const Json& json, ModelNode& scope) {
+  if (!is_scalar(json)) return bad(json, "the step is a number");
+  if (auto grid = Grid::with_step(json.text); !grid) return bad(json, grid.error().message);
+  scope.step = json.text;
+  return std::nullopt;
+}
+
+std::optional<Error> read_parameters(const Json& json, ModelNode& scope) {
+  if (json.kind != Json::Kind::object) return bad(json, "\"parameters\" is an object of numbers");
+  for (const auto& [name, value] : json.members) {
+    if (!is_parameter_name(name))
+      return bad(value, quoted(name) + " is no name for a parameter: a letter, then letters and digits");
+    if (!is_scalar(value)) return bad(value, "a parameter is a number, or a formula in quotes");
+    scope.parameters[name] = value.text;
+  }
+  return std::nullopt;
+}
+
+/// A scope around a model, as "step" and "parameters" of an object say.
+Result<Model> scoped(const Json& object, Model model) {
+  auto scope = node_at(object, ModelKind::scope);
+  scope->children.push_back(std::move(model));
+  if (const Json* step = object.member("step"))
+    if (auto fault = read_step(*step, *scope)) return *fault;
+  if (const Json* parameters = object.member("parameters"))
+    if (auto fault = read_parameters(*parameters, *scope)) return *fault;
+  return Access::model(std::move(scope));
+}
+
+// Fields.
+
+Result<ModelValue> read_formula(const Json& json, const ModelField& field) {
+  if (!is_scalar(json)) return bad(json, quoted(field.name) + " wants a number, or a formula in quotes");
+  return ModelValue{json.text};
+}
+
+/// A vector that is no list: "x", "y", "z" are directions; one factor is that of all directions.
+std::optional<ModelValue> shorthand(const Json& json, const ModelField& field) {
+  const std::string_view name = field.name;
+  ModelValue v;
+  if ((name == "axis" || name == "normal") && (json.text == "x" || json.text == "y" || json.text == "z"))
+    for (const char* axis : {"x", "y", "z"}) v.items.push_back({json.text == axis ? "1" : "0"});
+  if (name == "factors" && is_scalar(json)) v.items.assign(3, {json.text});
+  if (v.items.empty()) return std::nullopt;
+  return v;
+}
+
+/// `lists`: within how many lists the vectors are.
+Result<ModelValue> read_value(const Json& json, const ModelField& field, int lists) {
+  if (lists == 0 && field.count == 1) return read_formula(json, field);
+  if (lists == 0 && json.kind != Json::Kind::list)
+    if (auto v = shorthand(json, field)) return *std::move(v);
+
+  if (json.kind != Json::Kind::list || (lists == 0 && json.items.size() != field.count))
+    return bad(json, quoted(field.name) + " wants a list" +
+                         (lists == 0 ? " of " + std::to_string(field.count) + " numbers" : ""));
+  ModelValue v;
+  for (const Json& item : json.items) {
+    auto inner = lists > 0 ? read_value(item, field, lists - 1) : read_formula(item, field);
+    if (!inner) return inner.error();
+    v.items.push_back(std::move(inner).value());
+  }
+  return v;
+}
+
+/// A member of a node's body that is neither a field nor what the kind has besides.
+std::optional<Error> unknown_field(const ModelRule& rule, const Json& body) {
+  for (const auto& [name, value] : body.members) {
+    const auto known = [&word = name](const ModelField& f) { return word == f.name; };
+    const bool is_scope = rule.kind == ModelKind::scope && (name == "step" || name == "parameters");
+    if (std::any_of(rule.fields.begin(), rule.fields.end(), known) || is_scope ||
+        (rule.children == ModelChildren::one && name == "of") || (rule.kind == ModelKind::solid && name == "quoin"))
+      continue;
+    std::string list;
+    for (const ModelField& f : rule.fields) list += (list.empty() ? "" : ", ") + std::string(f.name);
+    return bad(value, quoted(name) + " is not known in \"" + rule.word + "\"; known are: " + list +
+                          (rule.children == ModelChildren::one ? ", of" : ""));
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> read_fields(const ModelRule& rule, const Json& body, ModelNode& made) {
+  if (auto fault = unknown_field(rule, body)) return fault;
+  for (const ModelField& field : rule.fields) {
+    const Json* json = body.member(field.name);
+    if (!json && !field.fallback) return bad(body, quoted(rule.word) + " lacks \"" + field.name + "\"");
+    auto value = json ? read_value(*json, field, field.lists) : Result<ModelValue>(ModelValue{field.fallback});
+    if (!value) return value.error();
+    made.values.push_back(std::move(value).value());
+  }
+  // A matrix is not any list of rows.
+  if (rule.kind == ModelKind::transform && made.values[0].items.size() != 3)
+    return bad(body, "a matrix has three rows");
+  return std::nullopt;
+}
+
+// Solids.
+
+/// A solid that stands in the text.
+std::optional<Error> read_solid(const Json& body, ModelNode& made) {
+  const Json* text = body.member("quoin");
+  if (!text || text->kind != Json::Kind::text) return bad(body, "\"solid\" lacks \"quoin\", the text of a .quoin file");
+  auto solid = Solid::from_quoin(text->text);
+  if (!solid) return bad(*text, solid.error().message + " (" + solid.error().where + ")");
+  made.solid = std::move(solid).value();
+  return std::nullopt;
+}
+
+/// A file that is named again is the same again.
+void note_import(const std::string& path, const ImportReport& report, Reading& reading) {
+  if (!reading.imports) return;
+  auto& imports = *reading.imports;
+  const auto is_known = [&](const MeshImport& known) { return known.file == path; };
+  if (std::none_of(imports.begin(), imports.end(), is_known)) imports.push_back({path, report});
+}
+
+/// A solid from a file.
+Result<Model> read_mesh(const Json& json, const Json& body, Reading& reading) {
+  const Json* file = body.member("file");
+  if (!file || file->kind != Json::Kind::text) return bad(body, "a mesh has the member \"file\", a text");
+  if (auto fault = unknown_member(body, {"file"})) return *fault;
+
+  const std::string path = file->text.starts_with('/') ? file->text : reading.folder + "/" + file->text;
+  ImportReport report;
+  auto solid = quoin::read_solid(path, {}, &report);
+  if (!solid) return solid.error();
+  note_import(path, report, reading);
+
+  auto made = node_at(json, ModelKind::solid);
+  made->solid = std::move(solid).value();
+  return Access::model(std::move(made));
+}
+
+// Parts.
+
+Result<Model> read_part(const std::string& name, const Json& json, Reading& reading) {
+  if (const auto known = reading.known.find(name); known != reading.known.end()) return known->second;
+  if (!reading.open.insert(name).second) return bad(json, "the part \"" + name + "\" contains itself");
+  auto model = read_node(json, reading);
+  reading.open.erase(name);
+  if (model) reading.known.emplace(name, model.value());
+  return model;
+}
+
+Result<Model> read_part_named(const Json& json, Reading& reading) {
+  const auto fault = bad(json, "there is no part " + quoted(json.text));
+  const Json* found = reading.parts && json.kind == Json::Kind::text ? reading.parts->member(json.text) : nullptr;
+  return found ? read_part(json.text, *found, reading) : fault;
+}
+
+// Primitives, motions, scopes, operations.
+
+std::optional<Error> read_child(const Json& json, ModelNode& made, Reading& reading) {
+  auto child = read_node(json, reading);
+  if (!child) return child.error();
+  made.children.push_back(std::move(child).value());
+  return std::nullopt;
+}
+
+/// The terms of an operation.
+std::optional<Error> read_terms(const ModelRule& rule, const Json& body, ModelNode& made, Reading& reading) {
+  if (body.kind != Json::Kind::list) return bad(body, quoted(rule.word) + " is a list of nodes");
+  for (const Json& item : body.items)
+    if (auto fault = read_child(item, made, reading)) return fault;
+  return std::nullopt;
+}
+
+/// What stands by name: a primitive's fields, a solid, a motion's or scope's fields and what it is of.
+std::optional<Error> read_members(const ModelRule& rule, const Json& body, ModelNode& made, Reading& reading) {
+  if (body.kind != Json::Kind::object) return bad(body, quoted(rule.word) + " is an object {..}");
+  if (auto fault = read_fields(rule, body, made)) return fault;
+  if (rule.kind == ModelKind::solid) return read_solid(body, made);
+  if (rule.children != ModelChildren::one) return std::nullopt;
+
+  const Json* of = body.member("of");
+  if (!of) return bad(body, quoted(rule.word) + " lacks \"of\"");
+  return read_child(*of, made, reading);
+}
+
+Result<Model> read_known_node(const Json& json, const std::string& word, const Json& body, Reading& reading) {
+  const ModelRule* rule = rule_of(word);
+  if (!rule) return bad(json, quoted(word) + " is no kind of node");
+
+  auto made = node_at(json, rule->kind);
+  const auto fault = rule->children == ModelChildren::many ? read_terms(*rule, body, *made, reading)
+                     : rule->kind == ModelKind::complement ? read_child(body, *made, reading)
+                                                           : read_members(*rule, body, *made, reading);
+  if (fault) return *fault;
+  if (rule->kind == ModelKind::scope) return scoped(body, made->children[0]);
+  return Access::model(std::move(made));
+}
+
+Result<Model> read_node(const Json& json, Reading& reading) {
+  if (json.kind != Json::Kind::object)
+    return bad(json, "a node is an object such as {\"block\": {\"size\": [1, 2, 3]}}");
+  if (reading.depth == Reading::deepest) return bad(json, "parts are nested too deeply");
+  const Json* name = json.member("name");
+  if (name && name->kind != Json::Kind::text) return bad(*name, "a name is a text");
+  if (json.members.size() != (name ? 2U : 1U))
+    return bad(json, "a node has one member that says what it is, and perhaps a \"name\"");
+
+  const auto& [word, body] = json.members[json.members[0].first == "name" ? 1 : 0];
+  ++reading.depth;
+  auto model = word == "part"   ? read_part_named(body, reading)
+               : word == "mesh" ? read_mesh(json, body, reading)
+                                : read_known_node(json, word, body, reading);
+  --reading.depth;
+  if (model && name) return model.value().named(name->text);
+  return model;
+}
+
+// The document.
+
+/// Whether the document is a model of this version.
+std::optional<Error> version_fault(const Json& document) {
+  if (document.kind != Json::Kind::object) return bad(document, "a model is an object {..}");
+  const Json* stated = document.member(version_key);
+  if (!stated) return bad(document, "the member \"quoin-model\": 1 is missing: this is no model of Quoin's");
+  if (stated->kind != Json::Kind::number) return bad(*stated, "the version is a number, without quotes");
+  if (stated->text != version)
+    return bad(*stated, "this is version " + stated->text + " of the format; this program reads version " + version);
+  return std::nullopt;
+}
+
+Result<Model> read_document(const Json& document, Reading& reading) {
+  if (auto fault = version_fault(document)) return *fault;
+  if (auto fault = unknown_member(document, {version_key, "step", "parameters", "parts", "model"})) return *fault;
+  const Json *parts = reading.parts, *root = document.member("model");
+  if (parts && parts->kind != Json::Kind::object) return bad(*parts, "\"parts\" is an object of named nodes");
+  if (!root) return bad(document, "the member \"model\" is missing");
+
+  // In the order of the text, so that parts made of earlier ones are no deep recursion.
+  if (parts)
+    for (const auto& [name, json] : parts->members)
+      if (auto part = read_part(name, json, reading); !part) return part.error();
+  auto model = read_node(*root, reading);
+  if (!model || !(document.member("step") || document.member("parameters"))) return model;
+  return scoped(document, std::move(model).value());
+}
 
 }  // namespace
 
@@ -423,7 +471,8 @@ Result<Model> Model::from_json(std::string_view text, const std::string& folder,
   if (imports) imports->clear();
   const auto document = io::read_json(text);
   if (!document) return document.error();
-  return ModelReader(folder, imports).run(document.value());
+  Reading reading{folder, imports, document.value().member("parts")};
+  return read_document(document.value(), reading);
 }
 
 }  // namespace quoin
