@@ -76,11 +76,12 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
 Point point(const GridPoint& p);
 /// Not told of a point that is not reduced.
 inline bool is_grid(const Point& p) { return compare(p.w, Denominator(1)) == 0; }
-/// Precondition: is_grid(p).
-inline GridPoint grid_point(const Point& p) {
-  const auto& a = p.approximation;  // exact
+/// Of coordinates that are those of a grid point.
+inline GridPoint grid_point(const std::array<double, 3>& a) {
   return {{static_cast<std::int32_t>(a[0]), static_cast<std::int32_t>(a[1]), static_cast<std::int32_t>(a[2])}};
 }
+/// Precondition: is_grid(p), so that the approximation is exact.
+inline GridPoint grid_point(const Point& p) { return grid_point(p.approximation); }
 /// The meeting of three planes; nothing when their normals are dependent.
 std::optional<Point> meet(const Plane& p, const Plane& q, const Plane& r);
 /// Where segment (u, v) crosses the plane that has the values `at_u` and `at_v` there (at_u * at_v < 0):

@@ -31,11 +31,6 @@ void PlaneTable::grow() {
 
 VertexTable::VertexTable() : slots_(64, none) {}
 
-exact::GridPoint VertexTable::grid_point(VertexId v) const {
-  const auto& a = approximations_[v];
-  return {{static_cast<std::int32_t>(a[0]), static_cast<std::int32_t>(a[1]), static_cast<std::int32_t>(a[2])}};
-}
-
 namespace {
 
 std::size_t hash(const std::array<double, 3>& key) {

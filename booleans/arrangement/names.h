@@ -66,7 +66,8 @@ class VertexTable {
   std::size_t size() const { return approximations_.size(); }
   const std::array<double, 3>& approximation(VertexId v) const { return approximations_[v]; }
   bool is_grid(VertexId v) const { return derived_[v] == none; }
-  exact::GridPoint grid_point(VertexId v) const;
+  /// Precondition: is_grid(v).
+  exact::GridPoint grid_point(VertexId v) const { return exact::grid_point(approximations_[v]); }
   exact::Point point(VertexId v) const { return is_grid(v) ? exact::point(grid_point(v)) : points_[derived_[v]]; }
 
   /// The side of a vertex to a plane: +1 on its positive side, 0 on it, -1.
