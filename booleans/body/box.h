@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "exact/geometry.h"
 
@@ -18,21 +19,9 @@ struct Box {
   std::array<std::int32_t, 3> high{INT32_MIN, INT32_MIN, INT32_MIN};
 
   /// Rounded coordinates, in whole steps outward.
-  void add(const std::array<double, 3>& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto toward_zero = static_cast<std::int32_t>(p[k]);
-      low[k] = std::min(low[k], toward_zero - (p[k] < toward_zero));
-      high[k] = std::max(high[k], toward_zero + (p[k] > toward_zero));
-    }
-  }
+  void add(const std::array<double, 3>& p) { add_outward(p, std::less<>()); }
   /// The exact point whose correctly rounded coordinates are p: it may lie on either side of a whole one.
-  void add_around(const std::array<double, 3>& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto toward_zero = static_cast<std::int32_t>(p[k]);
-      low[k] = std::min(low[k], toward_zero - (p[k] <= toward_zero));
-      high[k] = std::max(high[k], toward_zero + (p[k] >= toward_zero));
-    }
-  }
+  void add_around(const std::array<double, 3>& p) { add_outward(p, std::less_equal<>()); }
   void add(const exact::GridPoint& p) {
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], p.c[k]);
@@ -48,6 +37,17 @@ struct Box {
   bool meets(const Box& b) const {
     return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1] &&
            low[2] <= b.high[2] && b.low[2] <= high[2];
+  }
+
+ private:
+  /// A step farther than the whole number toward zero where `less` says that a coordinate lies beyond it.
+  template <class Less>
+  void add_outward(const std::array<double, 3>& p, Less less) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto toward_zero = static_cast<std::int32_t>(p[k]);
+      low[k] = std::min(low[k], toward_zero - less(p[k], toward_zero));
+      high[k] = std::max(high[k], toward_zero + less(toward_zero, p[k]));
+    }
   }
 };
 
