@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "grid/lists/buckets.h"
 #include "grid/lists/stretches.h"
@@ -51,25 +52,29 @@ bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count
   return balanced;
 }
 
-std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
-  std::vector<std::array<std::uint32_t, 3>> edges;  // smaller end, larger end, whether reversed
-  edges.reserve(3 * triangles.size());
-  for (const auto& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a > b ? 1U : 0U});
-    }
-  std::sort(edges.begin(), edges.end());
+std::vector<OpenEdge> open_edges(std::vector<std::array<std::uint32_t, 2>> edges) {
+  const auto ends = [](const std::array<std::uint32_t, 2>& e) {
+    return std::uint64_t{std::min(e[0], e[1])} << 32 | std::max(e[0], e[1]);
+  };
+  std::sort(edges.begin(), edges.end(), [&](const auto& e, const auto& f) { return ends(e) < ends(f); });
 
   std::vector<OpenEdge> result;
-  for (std::size_t i = 0; i < edges.size();) {
-    const auto [low, high, ignored] = edges[i];
+  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+    const auto [low, high] = std::minmax(edges[i][0], edges[i][1]);
     std::int64_t sum = 0;
-    for (; i < edges.size() && edges[i][0] == low && edges[i][1] == high; ++i) sum += edges[i][2] != 0 ? -1 : 1;
+    for (; j < edges.size() && ends(edges[j]) == ends(edges[i]); ++j) sum += edges[j][0] > edges[j][1] ? -1 : 1;
     if (sum > 0) result.push_back({low, high, static_cast<std::uint64_t>(sum)});
     if (sum < 0) result.push_back({high, low, static_cast<std::uint64_t>(-sum)});
   }
   return result;
+}
+
+std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  edges.reserve(3 * triangles.size());
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
+  return open_edges(std::move(edges));
 }
 
 }  // namespace quoin::grid

@@ -25,7 +25,9 @@ struct OpenEdge {
   friend bool operator==(const OpenEdge&, const OpenEdge&) = default;
 };
 
-/// All open edges, each once, ordered by (smaller end, larger end); empty for a closed mesh.
+/// All open edges among directed ones {from, to}, each once, ordered by (smaller end, larger end).
+std::vector<OpenEdge> open_edges(std::vector<std::array<std::uint32_t, 2>> edges);
+/// Those of triangles; empty for a closed mesh.
 std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace quoin::grid

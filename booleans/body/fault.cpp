@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exact/predicates.h"
+#include "grid/balance.h"
 
 namespace quoin::booleans {
 namespace {
@@ -52,22 +53,15 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
 }
 
 std::optional<std::string> balance_fault(const Body& body) {
-  std::vector<std::array<std::uint32_t, 3>> edges;  // low, high, forward
+  std::vector<std::array<std::uint32_t, 2>> edges;
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
-    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
-      edges.push_back({std::min(u, v), std::max(u, v), u < v});
-    });
-  std::sort(edges.begin(), edges.end());
+    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({u, v}); });
+  const std::vector<grid::OpenEdge> open = grid::open_edges(std::move(edges));
+  if (open.empty()) return std::nullopt;
 
-  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-    std::int64_t balance = 0;
-    for (; j < edges.size() && edges[j][0] == edges[i][0] && edges[j][1] == edges[i][1]; ++j)
-      balance += edges[j][2] ? 1 : -1;
-    if (balance != 0)
-      return "the edge from vertex " + std::to_string(edges[i][0]) + " to vertex " + std::to_string(edges[i][1]) +
-             " is not balanced by its reverse";
-  }
-  return std::nullopt;
+  const auto [low, high] = std::minmax(open[0].from, open[0].to);
+  return "the edge from vertex " + std::to_string(low) + " to vertex " + std::to_string(high) +
+         " is not balanced by its reverse";
 }
 
 }  // namespace
