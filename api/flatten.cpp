@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "grid/lists/thresholds.h"
+
 namespace quoin {
 
 using booleans::none;
@@ -182,7 +184,7 @@ class SharedTerms {
       term.leaves.has_half_space = term.leaves.has_half_space || l.has_half_space;
     }
 
-    if (term.places == 1 || term.leaves.count <= 256 || term.leaves.has_half_space) return;
+    if (term.places == 1 || term.leaves.count <= grid::thresholds().few_leaves || term.leaves.has_half_space) return;
     large_.push_back(&e);
     term.leaves.count = 1;
   }

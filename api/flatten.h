@@ -28,8 +28,8 @@ using KnownTerms = std::map<const Access::ExpressionNode*, Solid>;
 Flattened flattened(const Expression& expression, const KnownTerms& known = {});
 
 /// The terms, children first, that are better evaluated by themselves: they stand in several places, and as a tree they
-/// have more than 256 leaves. The graph's tree could else be exponentially large; now each edge of the graph brings at
-/// most 256 leaves. Terms with half-spaces cannot be evaluated alone, for they may be unbounded.
+/// have more than Thresholds::few_leaves leaves. The graph's tree could else be exponentially large; now each edge of
+/// the graph brings at most that many. Terms with half-spaces cannot be evaluated alone, for they may be unbounded.
 /// Errors: "too-many-terms" (more than 2^24 leaves remain).
 Result<std::vector<const Expression*>> large_shared_terms(const Expression& expression);
 

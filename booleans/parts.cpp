@@ -44,16 +44,16 @@ void sort_in_space(std::span<Member> members) {
   sort_in_space(members.subspan(half));
 }
 
-/// Do the boxes of more pairs meet than some per member?
+/// Do the boxes of more pairs meet than Thresholds::neighbours a member?
 bool is_crowded(const std::vector<Member>& members) {
-  constexpr std::size_t neighbours = 2;
+  const std::size_t most = (2 * grid::thresholds().neighbours + 1) * members.size();  // each itself, each pair twice
   std::vector<BoxTree::Item> items;
   for (std::uint32_t i = 0; i < members.size(); ++i) items.push_back({members[i].box, i, i});
   const BoxTree tree(items);
-  std::size_t met = 0;  // every pair twice, and each member itself
-  for (std::size_t i = 0; i < members.size() && met <= (2 * neighbours + 1) * members.size(); ++i)
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < members.size() && met <= most; ++i)
     tree.meeting(members[i].box, [&](std::uint32_t) { ++met; });
-  return met > (2 * neighbours + 1) * members.size();
+  return met > most;
 }
 
 /// What the negation of a leaf does to a group of such leaves: any(not a, not b) = not all(a, b), and odd(not a, not b)

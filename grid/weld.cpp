@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "grid/lists/thresholds.h"
+
 namespace quoin::grid {
 
 using exact::GridPoint;
@@ -140,7 +142,7 @@ Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::si
     }
 
     // A hash that clusters must not cost more than sorting.
-    if (table.collisions() > 32 * (end + 1024)) return weld_by_sorting(points, input);
+    if (table.collisions() > thresholds().collisions * (end + 1024)) return weld_by_sorting(points, input);
   }
 
   if (result.ids.empty()) return result;

@@ -95,7 +95,8 @@ void keep_host(Making& m) {
 bool is_tight(const Body& body) {
   std::size_t live = 0;
   for (const Chunk& c : body.chunks) live += c.end - c.begin;
-  return 4 * (body.face_count() - live) <= live && 5 * body.gone_corners <= body.polygons.corners.size();
+  const std::size_t factor = grid::thresholds().live_per_gone, gone = body.gone_corners;
+  return factor * (body.face_count() - live) <= live && factor * gone <= body.polygons.corners.size() - gone;
 }
 
 }  // namespace quoin::booleans

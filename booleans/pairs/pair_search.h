@@ -34,8 +34,7 @@ class PairSearch {
     std::uint32_t x, y;
     LanePairs lanes;
   };
-  static constexpr std::size_t most = std::size_t{1} << 12;
-  const std::size_t chunk = grid::stretch(128);
+  const std::size_t most = grid::stretch(std::size_t{1} << 12), chunk = grid::stretch(128);
 
   template <class Visit>
   void in_parallel(std::size_t count, Visit visit) const {

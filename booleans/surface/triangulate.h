@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "grid/lists/loops.h"
+#include "grid/lists/thresholds.h"
 
 namespace quoin::booleans {
 
@@ -32,7 +33,7 @@ using Scratch = boost::container::small_vector<T, 16>;
 /// Stable. Insertion for short lists, else merging, which takes the fewest comparisons of the standard sorts.
 template <class Iterator, class Less>
 void sort_by_few_comparisons(Iterator begin, Iterator end, Less less) {
-  if (end - begin > 16) return std::stable_sort(begin, end, less);
+  if (end - begin > grid::thresholds().few_sorted) return std::stable_sort(begin, end, less);
   for (Iterator i = begin; i != end; ++i)
     for (Iterator j = i; j != begin && less(*j, *(j - 1)); --j) std::iter_swap(j, j - 1);
 }

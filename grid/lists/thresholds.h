@@ -48,11 +48,22 @@ struct Thresholds {
   std::size_t few_spokes = 16;
   /// Fans whose squared size is more than this times the number of all triangles are compared as a whole.
   std::size_t large_fan = 4;
+  /// Operands of which more pairs than this for each of them have boxes that meet are combined in groups.
+  std::size_t neighbours = 2;
+  /// Shared lists with less than so many live faces, or corners, for each one that is gone are packed.
+  std::size_t live_per_gone = 4;
+  /// Longer lists of vertices of a face, and of edges at one of them, are sorted by merging, others by insertion.
+  int few_sorted = 16;
+  /// Points whose table has more collisions for each of them are welded by sorting.
+  std::size_t collisions = 32;
+  /// A term that stands in several places and has more leaves than this is evaluated by itself.
+  std::size_t few_leaves = 256;
 
-  static constexpr Thresholds smallest() { return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0}; }
+  static constexpr Thresholds smallest() { return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0}; }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
-    return {all, all, all, all, all, 64, 64, all, all, all, 24, all, all, all, all, all, all};
+    return {all, all, all, all, all, 64,  64,  all, all, all, 24,
+            all, all, all, all, all, all, all, all, 64,  all, 1 << 12};
   }
   /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
   static constexpr Thresholds patched() {

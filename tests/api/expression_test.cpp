@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/api/solids.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::api_test {
 namespace {
@@ -64,6 +65,7 @@ TEST(Expression, SharedTermsAreNotWrittenOut) {
   EXPECT_EQ(code(Expression(a) & h), "too-many-terms");
 }
 
+// As one operation, and every term that stands in several places by itself.
 TEST(Expression, RandomTreesAgreeWithOperators) {
   auto random = random_engine();
   for (int round = 0; round < 10; ++round) {
@@ -93,9 +95,12 @@ TEST(Expression, RandomTreesAgreeWithOperators) {
       }
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto result = evaluate(trees[i]);
-      ASSERT_TRUE(result);
-      EXPECT_EQ(result.value().to_quoin(), solids[i].to_quoin());
+      for (const std::size_t leaves : {grid::thresholds().few_leaves, std::size_t{0}}) {
+        const grid::testing::WithThresholds few(grid::testing::with(&grid::Thresholds::few_leaves, leaves));
+        const auto result = evaluate(trees[i]);
+        ASSERT_TRUE(result);
+        EXPECT_EQ(result.value().to_quoin(), solids[i].to_quoin());
+      }
     }
   }
 }

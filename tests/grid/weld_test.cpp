@@ -6,13 +6,14 @@
 #include <set>
 
 #include "tests/grid/random.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::grid {
 namespace {
 
 using exact::GridPoint;
 
-/// Welds both ways and by std::map.
+/// Welds by a table, by one that gives way to sorting at the first collision, by sorting, and by std::map.
 void check(const std::vector<GridPoint>& points, const std::vector<double>& input, std::size_t expected) {
   std::map<GridPoint, std::uint32_t> seen;
   std::map<GridPoint, std::set<std::array<double, 3>>> positions;
@@ -28,13 +29,19 @@ void check(const std::vector<GridPoint>& points, const std::vector<double>& inpu
   std::uint64_t merged = 0;
   for (const auto& [p, all] : positions) merged += all.size() - 1;
 
-  for (const bool sorting : {false, true}) {
+  const auto expect = [&](auto&& way) {
     std::vector<GridPoint> mine = points;
-    const Weld w = sorting ? weld_by_sorting(mine, input) : weld(mine, input, expected);
+    const Weld w = way(mine);
     EXPECT_EQ(mine, kept);
     EXPECT_EQ(w.ids, ids);
     EXPECT_EQ(w.merged, merged);
-  }
+  };
+  expect([&](auto& mine) { return weld(mine, input, expected); });
+  expect([&](auto& mine) {
+    const testing::WithThresholds giving_way(testing::with(&Thresholds::collisions, std::size_t{0}));
+    return weld(mine, input, expected);
+  });
+  expect([&](auto& mine) { return weld_by_sorting(mine, input); });
 }
 
 TEST(Weld, agrees_with_a_map) {
