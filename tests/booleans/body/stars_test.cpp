@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "booleans/pairs/box_tree.h"
 #include "booleans/pairs/triangle_pair.h"
 #include "tests/booleans/support.h"
 
@@ -135,50 +134,6 @@ TEST(Stars, CornersOfBoxesAreProved) {
   for (const Star s :
        stars(box({-exact::world, -exact::world, -exact::world}, {exact::world, exact::world, exact::world})))
     EXPECT_EQ(s, Star::embedded);
-}
-
-// The tree against all pairs.
-TEST(BoxTree, FindsThePairsThatBoxesHave) {
-  for (std::uint64_t number = 0; number < case_count(60); ++number) {
-    SCOPED_TRACE(case_name(number));
-    Random random(0xB0C5, number);
-    std::vector<BoxTree::Item> items(random.below(700));
-    const std::uint64_t groups = 1 + random.below(4);
-    for (std::uint32_t i = 0; i < items.size(); ++i) {
-      items[i].id = i;
-      items[i].group = static_cast<std::uint32_t>(random.below(groups));
-      const std::int64_t size = random.one_in(20) ? 1000 : 30;
-      for (std::size_t k = 0; k < 3; ++k) {
-        items[i].box.low[k] = static_cast<std::int32_t>(random.between(-500, 500));
-        items[i].box.high[k] =
-            items[i].box.low[k] + static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size)));
-      }
-    }
-    std::set<std::array<std::uint32_t, 2>> all, foreign;
-    for (std::uint32_t i = 0; i < items.size(); ++i)
-      for (std::uint32_t j = i + 1; j < items.size(); ++j)
-        if (items[i].box.meets(items[j].box)) {
-          all.insert({i, j});
-          if (items[i].group != items[j].group) foreign.insert({i, j});
-        }
-    const BoxTree tree(items, random.one_in(2) ? BoxTree::Order::by_group : BoxTree::Order::by_place);
-    const auto collect = [](std::multiset<std::array<std::uint32_t, 2>>& into) {
-      return [&into](std::uint32_t i, std::uint32_t j) { into.insert({std::min(i, j), std::max(i, j)}); };
-    };
-    std::multiset<std::array<std::uint32_t, 2>> found, found_foreign;
-    tree.pairs(collect(found));
-    tree.pairs(collect(found_foreign), BoxTree::Pairs::foreign);
-    EXPECT_TRUE(std::equal(all.begin(), all.end(), found.begin(), found.end()));
-    EXPECT_TRUE(std::equal(foreign.begin(), foreign.end(), found_foreign.begin(), found_foreign.end()));
-    for (int i = 0; i < 5 && !items.empty(); ++i) {
-      const Box& box = items[random.below(items.size())].box;
-      std::set<std::uint32_t> want, have;
-      for (const auto& item : items)
-        if (item.box.meets(box)) want.insert(item.id);
-      tree.meeting(box, [&](std::uint32_t id) { have.insert(id); });
-      EXPECT_EQ(want, have);
-    }
-  }
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include "booleans/pairs/pair_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "booleans/pairs/triangle_pair.h"
+#include "tests/booleans/support.h"
+#include "tests/grid/with_thresholds.h"
+
+namespace quoin::booleans::testing {
+namespace {
+
+using grid::testing::WithThresholds;
+
+/// The triangles of some bodies, one group each, and a tree over them. The bodies must outlive it.
+struct Searched {
+  explicit Searched(const std::vector<Body>& bodies) : tree(items(bodies)) {
+    for (const std::uint32_t id : tree.ids()) {
+      std::uint32_t body = 0, face = id;
+      while (face >= bodies[body].triangles.size()) face -= static_cast<std::uint32_t>(bodies[body++].triangles.size());
+      faces.push_back({&bodies[body], face});
+    }
+  }
+
+  static std::vector<BoxTree::Item> items(const std::vector<Body>& bodies) {
+    std::vector<BoxTree::Item> r;
+    for (std::uint32_t b = 0; b < bodies.size(); ++b)
+      for (std::uint32_t t = 0; t < bodies[b].triangles.size(); ++t)
+        r.push_back({face_box(bodies[b], t), static_cast<std::uint32_t>(r.size()), b});
+    return r;
+  }
+  bool meet(std::uint32_t i, std::uint32_t j) const {
+    return booleans::meet(triangle(*faces[i].body, faces[i].face), triangle(*faces[j].body, faces[j].face));
+  }
+  /// Any pairs of places.
+  static bool is_skipped(std::uint32_t i, std::uint32_t j) { return (i + j) % 3 == 0; }
+
+  FacePairs found(BoxTree::Pairs pairs) const {
+    const auto skip = [](std::uint32_t i, std::uint32_t block) {
+      unsigned lanes = 0;
+      for (std::uint32_t j = 0; j < BoxBlock::width; ++j)
+        lanes |= static_cast<unsigned>(is_skipped(i, BoxBlock::width * block + j)) << j;
+      return lanes;
+    };
+    const auto wanted = [&](std::uint32_t i, std::uint32_t j) { return meet(i, j); };
+    return PairSearch(faces, tree, skip, wanted).run(pairs);
+  }
+  /// The same, without order.
+  FacePairs by_all(BoxTree::Pairs pairs) const {
+    FacePairs r;
+    for (std::uint32_t i = 0; i < faces.size(); ++i)
+      for (std::uint32_t j = i + 1; j < faces.size(); ++j) {
+        if (is_skipped(i, j) || (pairs == BoxTree::Pairs::foreign && faces[i].body == faces[j].body)) continue;
+        const std::uint32_t a = tree.ids()[i], b = tree.ids()[j];
+        if (meet(i, j)) r.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
+      }
+    std::sort(r.begin(), r.end());
+    return r;
+  }
+
+  BoxTree tree;
+  std::vector<SearchedFace> faces;
+};
+
+// In one batch or in many, with slabs of all blocks or of none: in one order, and what all pairs say.
+TEST(PairSearch, FindsWhatMeetsAndIsNotSkipped) {
+  std::size_t meeting = 0;
+  for (std::uint64_t number = 0; number < case_count(60); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0x9A12, number);
+    Solids solids(random, families[number % families.size()]);
+    std::vector<Body> bodies;
+    for (int i = 0; i < 5; ++i) bodies.push_back(solids.raw());
+    const Searched searched(bodies);
+
+    for (const BoxTree::Pairs pairs : {BoxTree::Pairs::all, BoxTree::Pairs::foreign}) {
+      const FacePairs expected = searched.by_all(pairs);
+      meeting += expected.size();
+      FacePairs first;
+      for (const std::size_t stretch : {std::size_t{2}, std::size_t{1} << 15})
+        for (const int crowded : {0, 64}) {
+          grid::Thresholds t = grid::thresholds();
+          t.stretch = stretch;
+          t.crowded_blocks = t.crowded_slabs = crowded;
+          const WithThresholds set(t);
+          FacePairs found = searched.found(pairs);
+          if (first.empty()) first = found;
+          EXPECT_EQ(found, first);
+          std::sort(found.begin(), found.end());
+          EXPECT_EQ(found, expected);
+        }
+    }
+  }
+  EXPECT_GT(meeting, 50 * case_count(60));
+}
+
+TEST(PairSearch, FindsNothingAmongNothing) {
+  const std::vector<Body> bodies;
+  EXPECT_EQ(Searched(bodies).found(BoxTree::Pairs::all), FacePairs{});
+}
+
+}  // namespace
+}  // namespace quoin::booleans::testing
