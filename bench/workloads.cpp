@@ -33,10 +33,12 @@ std::vector<Mesh> with_first(Mesh first, std::vector<Mesh> rest) {
   return rest;
 }
 
-std::vector<Mesh> plate(std::size_t holes) {
+std::vector<Mesh> drilled(std::size_t holes, std::uint32_t sides) {
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(double(holes))));
-  return with_first(examples::box({0, 0, 0}, {double(side), double(side), 1}), examples::drills(side, side, 64));
+  return with_first(examples::box({0, 0, 0}, {double(side), double(side), 1}), examples::drills(side, side, sides));
 }
+std::vector<Mesh> plate(std::size_t holes) { return drilled(holes, 64); }
+std::vector<Mesh> drill(std::size_t holes) { return drilled(holes, 24); }
 
 std::vector<Mesh> menger(std::size_t level) {
   const double size = std::pow(3.0, double(level));
@@ -150,6 +152,8 @@ const std::vector<Workload>& workloads() {
       {"cubes", "cubes per edge", 20, unite, coarse, cubes},
       {"cubes-each", "cubes per edge", 20, unite_each, coarse, cubes},
       {"plate", "holes", 10000, subtract, coarse, plate},
+      {"drill", "holes", 1024, subtract, coarse, drill},
+      {"drill-each", "holes", 1024, subtract_each, coarse, drill},
       {"menger", "level", 4, subtract, coarse, menger},
       {"cloud", "spheres", 1000, unite, fine, cloud},
       {"needles", "prisms", 150, unite, fine, needles},
