@@ -40,15 +40,13 @@ struct PatchPart {
 std::uint32_t glue_over_vertices(const PatchPart& part) {
   const Body& body = part.body();
   const auto chunks = part.operands.chunks_of(part.operand);
-  Box around;
-  for (const OperandChunk& c : chunks)
-    if (!c.far) around.add(c.box);
-
+  Box around;  // near faces that are not touched
   grid::Partition parts(body.vertex_count());
   std::vector<std::uint8_t> is_near(body.vertex_count());
   for (const OperandChunk& c : chunks)
     if (!c.far)
       part.for_untouched(c, [&](std::uint32_t f) {
+        around.add(c.box);
         const auto corners = body.corners_of(f);
         for (const std::uint32_t v : corners) {
           is_near[v] = 1;

@@ -9,7 +9,30 @@
 
 namespace quoin::booleans {
 
-Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists)
+namespace {
+
+/// The facet on the inner side of the first edge of a face, which is on its outer loop and runs as it did.
+FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) {
+  const BoundaryEdge& e = touched.edges_of(face)[0];
+  const auto find = [&](VertexId a, VertexId b) -> std::uint32_t {
+    const auto at = std::lower_bound(
+        sheet.elements.begin(), sheet.elements.end(), std::pair(a, b),
+        [](const Sheet::Element& x, const std::pair<VertexId, VertexId>& key) { return std::pair(x.a, x.b) < key; });
+    const bool found = at != sheet.elements.end() && at->a == a && at->b == b;
+    return found ? static_cast<std::uint32_t>(at - sheet.elements.begin()) : none;
+  };
+
+  const bool along = touched.faces[face].along;
+  if (const std::uint32_t i = find(e.from, e.to); i != none) return sheet.facet[2 * i + !along];
+  const std::uint32_t i = find(e.to, e.from);
+  assert(i != none);
+  return sheet.facet[2 * i + along];
+}
+
+}  // namespace
+
+Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const Touched& touched,
+               const ById<PlaneId, SheetId>& sheet_of)
     : sheets_(std::move(sheets)), lists_(std::move(lists)) {
   for (const Sheet& s : sheets_) {
     first_node_.push_back(first_node_.back().value + static_cast<std::uint32_t>(s.facet_count()));
@@ -18,17 +41,44 @@ Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists)
   sheet_of_.resize(first_node_.back().value);
   for (const SheetId s : ids())
     for (const NodeId n : nodes(s)) sheet_of_[n] = s;
+
+  if (touched.spared.empty()) return;
+  for (const TouchedId t : Ids<TouchedId>(touched.faces.size()))
+    if (!touched.spared_of(t).empty()) {
+      const SheetId s = sheet_of[touched.faces[t].plane];
+      spared_.push_back({node(s, outer_facet(sheets_[s], touched, t)), t});
+    }
+  std::sort(spared_.begin(), spared_.end(), [](const SparedFace& x, const SparedFace& y) { return x.facet < y.facet; });
 }
+
+namespace {
+
+/// Those of facets first .. last - 1.
+std::span<const SparedFace> within(const std::vector<SparedFace>& spared, NodeId first, NodeId last) {
+  const auto at = [&](NodeId n) {
+    return std::lower_bound(spared.begin(), spared.end(), n,
+                            [](const SparedFace& x, NodeId facet) { return x.facet < facet; });
+  };
+  return {at(first), at(last)};
+}
+
+}  // namespace
+
+std::span<const SparedFace> Sheets::spared(SheetId s) const {
+  return within(spared_, first_node_[s], first_node_[s.value + 1]);
+}
+
+std::span<const SparedFace> Sheets::spared(NodeId facet) const { return within(spared_, facet, facet.value + 1); }
 
 namespace {
 
 /// What is drawn on each sheet, before it is drawn.
 struct Plan {
   ById<SheetId, PlaneId> plane;
+  ById<PlaneId, SheetId> sheet_of;
   grid::Buckets<> faces, segments, points;  // by sheet
 
-  Plan(const Touched& touched, const Contacts& contacts, std::size_t planes) {
-    ById<PlaneId, SheetId> sheet_of(planes);
+  Plan(const Touched& touched, const Contacts& contacts, std::size_t planes) : sheet_of(planes) {
     for (const TouchedFace& f : touched.faces)
       if (sheet_of[f.plane] == none) sheet_of[f.plane] = plane.add(f.plane);
 
@@ -130,7 +180,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
     batch.finish(sheets);
     lists.push_back(std::move(batch.lists));  // vectors keep their items where they are
   }
-  return Sheets(std::move(sheets), std::move(lists));
+  return Sheets(std::move(sheets), std::move(lists), touched, plan.sheet_of);
 }
 
 }  // namespace quoin::booleans

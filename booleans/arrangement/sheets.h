@@ -48,12 +48,19 @@ struct SheetLists {
   std::vector<Sheet::Isolated> isolated;
 };
 
+/// A touched face with spared loops, and the facet of its outer loop, in which they lie.
+struct SparedFace {
+  NodeId facet;
+  TouchedId face;
+};
+
 /// All sheets of an arrangement. Facets of all sheets are numbered through as nodes, elements too.
 class Sheets {
  public:
   Sheets() = default;
-  /// `sheets` refer to `lists`.
-  Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists);
+  /// `sheets` refer to `lists`; `sheet_of`: by plane.
+  Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const Touched& touched,
+         const ById<PlaneId, SheetId>& sheet_of);
 
   std::size_t size() const { return sheets_.size(); }
   Ids<SheetId> ids() const { return sheets_.size(); }
@@ -68,6 +75,11 @@ class Sheets {
   Ids<NodeId> nodes(SheetId s) const { return {first_node_[s], first_node_[s.value + 1]}; }
   ElementId element(SheetId s, std::uint32_t e) const { return first_element_[s].value + e; }
 
+  /// All faces that have spared loops, by facet; those of one sheet; those whose loops lie in a facet.
+  std::span<const SparedFace> spared() const { return spared_; }
+  std::span<const SparedFace> spared(SheetId s) const;
+  std::span<const SparedFace> spared(NodeId facet) const;
+
   bool is_facet(NodeId n) const { return n < facet_count(); }
   /// Preconditions: is_facet(n).
   SheetId sheet_of(NodeId n) const { return sheet_of_[n]; }
@@ -79,6 +91,7 @@ class Sheets {
   ById<SheetId, NodeId> first_node_ = {NodeId(0)};           // plus the total
   ById<SheetId, ElementId> first_element_ = {ElementId(0)};  // plus the total
   ById<NodeId, SheetId> sheet_of_;
+  std::vector<SparedFace> spared_;  // by facet
 };
 
 /// Draws a sheet for each plane that has touched faces. New crossing points get names in the order of the sheets.

@@ -1,5 +1,6 @@
 #include "booleans/arrangement/touched.h"
 
+#include "booleans/arrangement/spared_loops.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -18,6 +19,7 @@ struct TouchedPart {
   std::vector<exact::Plane> planes;    // those of the faces, then others
   std::vector<Edge> edges;
   std::vector<std::uint32_t> isolated;  // own vertices
+  std::vector<std::uint32_t> spared;    // own loops
   std::vector<Use> untouched;
   std::vector<std::uint32_t> members;  // own faces
 };
@@ -30,7 +32,7 @@ class Collector {
   /// `named`: the faces in pairs, own numbers in ascending order. `touched_of`: by own face, of this operand.
   Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named,
             std::span<TouchedId> touched_of)
-      : body_(operands[operand]), touched_of_(touched_of) {
+      : body_(operands[operand]), spared_(operands, operand, named), touched_of_(touched_of) {
     index(operands, operand, named);
     reserve(named.size());
 
@@ -48,15 +50,49 @@ class Collector {
   std::unique_ptr<const Adjacency> adjacency;
 
  private:
-  /// A face with a vertex of the named faces has that vertex in their box.
+  /// visit(loop) for the loops of a face that are drawn, the outer one first where others are spared.
+  template <class Visit>
+  void for_drawn_loops(std::uint32_t f, Visit&& visit) const {
+    if (f < body_.triangles.size()) return visit(std::span<const std::uint32_t>(body_.triangles[f]));
+    const std::uint32_t p = body_.polygon(f);
+    const SparedLoops::Face* spared = spared_.find(p);
+    const std::uint32_t outer = spared ? spared->outer_loop : none;
+    if (outer != none) visit(body_.polygons.loop(outer));
+    for (std::uint32_t j = body_.polygons.face_start[p]; j < body_.polygons.face_start[p + 1]; ++j)
+      if (j != outer && !spared_[j]) visit(body_.polygons.loop(j));
+  }
+
+  Box box_of(std::uint32_t f) const {
+    const SparedLoops::Face* spared = f < body_.triangles.size() ? nullptr : spared_.find(body_.polygon(f));
+    return spared ? spared->box : face_box(body_, f);
+  }
+
+  /// A face with a vertex that is drawn has that vertex in one of the boxes: the first holds all faces whose loops are
+  /// all drawn; what else is drawn is little.
   void index(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named) {
     std::vector<std::uint8_t> marked(body_.vertex_count());
-    Box box;
+    std::vector<Box> boxes(1);
     for (const std::uint32_t f : named) {
-      for (const std::uint32_t v : body_.corners_of(f)) marked[v] = 1;
-      box.add(face_box(body_, f));
+      const bool is_whole = f < body_.triangles.size() || !spared_.find(body_.polygon(f));
+      if (is_whole) boxes[0].add(face_box(body_, f));
+      for_drawn_loops(f, [&](std::span<const std::uint32_t> loop) {
+        for (const std::uint32_t v : loop) marked[v] = 1;
+        if (!is_whole && loop.size() == 1) add_edge(loop[0], loop[0], boxes);
+        if (!is_whole) grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { add_edge(u, v, boxes); });
+      });
     }
-    adjacency = std::make_unique<const Adjacency>(body_, std::move(marked), operands.chunks_meeting(operand, box));
+    adjacency = std::make_unique<const Adjacency>(body_, std::move(marked), operands.chunks_meeting(operand, boxes));
+  }
+  /// Of many edges one box is as good.
+  void add_edge(std::uint32_t u, std::uint32_t v, std::vector<Box>& boxes) const {
+    constexpr std::size_t most = 64;
+    Box edge;
+    edge.add_around(body_.approximation(u));
+    edge.add_around(body_.approximation(v));
+    if (boxes.size() < most)
+      boxes.push_back(edge);
+    else
+      boxes.back().add(edge);
   }
 
   void reserve(std::size_t named) {
@@ -78,17 +114,19 @@ class Collector {
     face.along = exact::is_canonical(plane);
     face.edges_begin = static_cast<std::uint32_t>(part.edges.size());
     face.isolated_begin = static_cast<std::uint32_t>(part.isolated.size());
+    face.spared_begin = static_cast<std::uint32_t>(part.spared.size());
     part.faces.push_back(face);
     part.planes.push_back(plane);
   }
   void add_member(std::uint32_t f) {
     touched_of_[f] = static_cast<std::uint32_t>(part.faces.size() - 1);
-    part.faces.back().box.add(face_box(body_, f));
+    part.faces.back().box.add(box_of(f));
     part.members.push_back(f);
   }
   void end_region() {
     part.faces.back().edges_end = static_cast<std::uint32_t>(part.edges.size());
     part.faces.back().isolated_end = static_cast<std::uint32_t>(part.isolated.size());
+    part.faces.back().spared_end = static_cast<std::uint32_t>(part.spared.size());
   }
 
   /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
@@ -132,10 +170,15 @@ class Collector {
   void add_polygon(std::uint32_t f) {
     begin_region(f, body_.planes[body_.polygon(f)]);
     add_member(f);
-    body_.polygons.for_loops(body_.polygon(f), [&](std::span<const std::uint32_t> loop) {
+    for_drawn_loops(f, [&](std::span<const std::uint32_t> loop) {
       if (loop.size() == 1) part.isolated.push_back(loop[0]);
       grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { part.edges.push_back({u, v, none}); });
     });
+    if (spared_.any()) {
+      const std::uint32_t p = body_.polygon(f);
+      for (std::uint32_t j = body_.polygons.face_start[p]; j < body_.polygons.face_start[p + 1]; ++j)
+        if (spared_[j]) part.spared.push_back(j);
+    }
     end_region();
   }
 
@@ -166,6 +209,7 @@ class Collector {
   }
 
   const Body& body_;
+  const SparedLoops spared_;
   const std::span<TouchedId> touched_of_;
 };
 
@@ -178,7 +222,8 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
 
   const TouchedId first_face = out.faces.next_id();
   const auto first_edge = static_cast<std::uint32_t>(out.edges.size()),
-             first_isolated = static_cast<std::uint32_t>(out.isolated.size());
+             first_isolated = static_cast<std::uint32_t>(out.isolated.size()),
+             first_spared = static_cast<std::uint32_t>(out.spared.size());
   for (const TouchedId t : Ids<TouchedId>(part.faces.size())) {
     TouchedFace face = part.faces[t];
     for (std::uint32_t i = face.edges_begin; i < face.edges_end; ++i) {
@@ -194,8 +239,12 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
     face.edges_end += first_edge;
     face.isolated_begin += first_isolated;
     face.isolated_end += first_isolated;
+    face.spared_begin += first_spared;
+    face.spared_end += first_spared;
     out.faces.push_back(face);
   }
+
+  out.spared.insert(out.spared.end(), part.spared.begin(), part.spared.end());
 
   for (const TouchedPart::Use& u : part.untouched)
     out.untouched.push_back({name(u.from), name(u.to), operand, operands.face(operand, u.face)});

@@ -11,7 +11,8 @@
 
 namespace quoin::booleans {
 
-/// A directed boundary edge of a touched face, the face on its left seen from outside.
+/// A directed boundary edge of a touched face, the face on its left seen from outside. Those of spared loops are not
+/// listed.
 struct BoundaryEdge {
   VertexId from, to;
   /// A plane through the edge other than the face's own: that of a neighbouring face, or, where the faces of an edge
@@ -28,6 +29,7 @@ struct TouchedFace {
   Box box;
   std::uint32_t edges_begin, edges_end;        // in Touched::edges
   std::uint32_t isolated_begin, isolated_end;  // in Touched::isolated
+  std::uint32_t spared_begin, spared_end;      // in Touched::spared
 
   std::uint32_t edge_count() const { return edges_end - edges_begin; }
   /// By how much an operand's winding number changes from the canonical normal's side to the other.
@@ -47,6 +49,9 @@ struct Touched {
   bool cover_once = true;
   std::vector<BoundaryEdge> edges;
   std::vector<VertexId> isolated;  // touching vertices inside faces
+  /// Loops of polygons that are not drawn (spared_loops.h), by their numbers in the operand. The first edge of a face
+  /// that has some is on its outer loop.
+  std::vector<std::uint32_t> spared;
   std::vector<UntouchedUse> untouched;
   ById<FaceId, TouchedId> touched_of;  // none where a face is untouched
   std::vector<FaceId> members;         // the faces that are touched
@@ -62,6 +67,9 @@ struct Touched {
   std::span<const VertexId> isolated_of(TouchedId t) const {
     const TouchedFace& f = faces[t];
     return std::span(isolated).subspan(f.isolated_begin, f.isolated_end - f.isolated_begin);
+  }
+  std::span<const std::uint32_t> spared_of(TouchedId t) const {
+    return std::span(spared).subspan(faces[t].spared_begin, faces[t].spared_end - faces[t].spared_begin);
   }
 };
 

@@ -38,7 +38,14 @@ void list_chunks(Making& m, std::uint32_t raw) {
   body.chunks = std::move(m.raw_chunks);
   add_chunks(body, raw, triangles, body.chunks);
   for (const Chunk& c : m.polygon_chunks) body.chunks.push_back({triangles + c.begin, triangles + c.end, c.box});
-  add_chunks(body, triangles + m.listed_polygons, static_cast<std::uint32_t>(body.face_count()), body.chunks);
+
+  std::uint32_t next = triangles + m.listed_polygons;
+  for (const Chunk& c : m.spared_chunks) {
+    add_chunks(body, next, triangles + c.begin, body.chunks);
+    body.chunks.push_back({triangles + c.begin, triangles + c.end, c.box});
+    next = triangles + c.end;
+  }
+  add_chunks(body, next, static_cast<std::uint32_t>(body.face_count()), body.chunks);
 }
 
 }  // namespace
@@ -55,11 +62,12 @@ Body assemble(const Arrangement& a, const Selection& selection) {
   copy_raw(m);
   const auto listed_triangles = static_cast<std::uint32_t>(m.body.triangles.size());
   copy_changed_triangles(m);
+  name_spared(m);
   copy_polygons(m);
   join_regions(m);
 
   list_chunks(m, listed_triangles);
-  if (m.host != none && !is_tight(m.body)) m.body = packed(m.body);
+  if (m.host != none) tidy(m.body);
   m.body.settle();
   return std::move(m.body);
 }

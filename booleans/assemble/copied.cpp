@@ -160,12 +160,7 @@ bool copied_whole(Making& m, const OperandChunk& c) {
   for (const std::uint32_t v : corners)
     if (m.vertices.in_table(c.operand, v)) return false;
 
-  auto& to = m.body.polygons;
-  const auto corner_shift = static_cast<std::uint32_t>(to.corners.size()) - from.loop_start[first];
-  const auto loop_shift = static_cast<std::uint32_t>(to.loop_count()) - first;
-  for (const std::uint32_t v : corners) to.corners.push_back(m.corner(m.vertices.named(c.operand, v)));
-  for (std::uint32_t j = first; j < last; ++j) to.loop_start.push_back(from.loop_start[j + 1] + corner_shift);
-  for (std::size_t i = p; i < q; ++i) to.face_start.push_back(from.face_start[i + 1] + loop_shift);
+  m.body.polygons.append_faces(from, p, q, [&](std::uint32_t v) { return m.corner(m.vertices.named(c.operand, v)); });
   m.body.planes.append(body.planes.begin() + p, body.planes.begin() + q);
   return true;
 }
@@ -188,6 +183,15 @@ void copy_polygon(Making& m, OperandId o, std::uint32_t face, std::vector<Polygo
 }
 
 }  // namespace
+
+void name_spared(Making& m) {
+  for (const auto& [facet, face] : m.a.sheets.spared()) {
+    const OperandId o = m.a.touched.faces[face].operand;
+    if (o == m.host || m.selection.kept[facet] == 0) continue;
+    for (const std::uint32_t j : m.a.touched.spared_of(face))
+      for (const std::uint32_t v : m.a.operands[o].polygons.loop(j)) m.vertices.named(o, v);
+  }
+}
 
 void copy_polygons(Making& m) {
   std::vector<Polygon> near;

@@ -82,21 +82,45 @@ void keep_host(Making& m) {
   for (const Body* other : operands.bodies) new_points += other == &host ? 0 : other->grid_points.size();
   if (host.grid_points.size() + new_points > host.derived_base()) move_derived(m.body, new_points);
 
-  Box table;
-  for (const std::uint32_t v : m.a.names.operands[m.host].listed) table.add(host.approximation(v));
+  std::vector<BoxTree::Item> listed;
+  for (const std::uint32_t v : m.a.names.operands[m.host].listed) listed.emplace_back().box.add(host.approximation(v));
+  const BoxTree table(listed);
   for (const OperandChunk& c : operands.chunks_of(m.host)) {
-    if (c.far && !c.box.meets(table))
-      keep_run(m, c.box, operands.own(m.host, c.begin), operands.own(m.host, c.end));
-    else
+    bool near = !c.far;
+    if (c.far) table.meeting(c.box, [&](std::uint32_t) { near = true; });
+    if (near)
       keep_near_chunk(m, c);
+    else
+      keep_run(m, c.box, operands.own(m.host, c.begin), operands.own(m.host, c.end));
   }
 }
 
-bool is_tight(const Body& body) {
-  std::size_t live = 0;
-  for (const Chunk& c : body.chunks) live += c.end - c.begin;
-  const std::size_t factor = grid::thresholds().live_per_gone, gone = body.gone_corners;
-  return factor * (body.face_count() - live) <= live && factor * gone <= body.polygons.corners.size() - gone;
+Waste waste(const Body& body) {
+  std::size_t live = 0, corners = body.polygons.corners.size() - body.gone_corners;
+  for (const Chunk& c : body.chunks) {
+    live += c.end - c.begin;
+    if (c.begin < body.triangles.size()) corners += 3 * (c.end - c.begin);
+  }
+  // A vertex is a corner of at least three faces.
+  const std::size_t gone = body.face_count() - live, claimed = 3 * (body.grid_points.size() + body.points.size()),
+                    gone_claimed = claimed - std::min(claimed, corners);
+
+  const std::size_t factor = grid::thresholds().live_per_gone;
+  if (factor * gone > live || factor * gone_claimed > 4 * corners) return Waste::much;
+  return factor * body.gone_corners > 4 * corners ? Waste::loops : Waste::little;
+}
+
+void tidy(Body& body) {
+  switch (waste(body)) {
+    case Waste::much:
+      body = packed(body);
+      break;
+    case Waste::loops:
+      drop_gone_loops(body);
+      break;
+    case Waste::little:
+      break;
+  }
 }
 
 }  // namespace quoin::booleans

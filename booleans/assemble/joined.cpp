@@ -6,6 +6,7 @@ namespace {
 /// Adds the merged regions of all sheets to what waits.
 void add_regions(Making& m) {
   const Regions<VertexId> merged = merged_regions(m.a, m.selection);
+  for (const auto& [region, face] : merged.spared) m.waiting.spared.push_back({m.waiting.size() + region, face});
   for (std::size_t i = 0; i < merged.size(); ++i) {
     merged.loops.for_loops(i, [&](std::span<const VertexId> loop) {
       for (const VertexId v : loop) m.waiting.loops.corners.push_back(m.vertices.place_of_table(v));
@@ -46,6 +47,7 @@ Regions<PlaceId> without_straight_vertices(Making& m) {
     });
     kept.close(m.waiting.planes[r]);
   }
+  kept.spared = std::move(m.waiting.spared);
   return kept;
 }
 
@@ -67,21 +69,62 @@ ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions<PlaceId>& regions
   return id;
 }
 
+/// Writes the spared loops of a touched face as loops of a region with that plane.
+void write_spared(Making& m, TouchedId face, const exact::Plane& plane) {
+  const TouchedFace& f = m.a.touched.faces[face];
+  const auto loops = m.a.touched.spared_of(face);
+  const auto& from = m.a.operands[f.operand].polygons;
+  auto& to = m.body.polygons;
+  const bool is_host = f.operand == m.host;
+  const auto id = [&](std::uint32_t v) { return is_host ? m.host_id(v) : m.final_id(m.vertices.named(f.operand, v)); };
+
+  if (exact::is_canonical(plane) == f.along) {
+    for (std::size_t i = 0, next = 0; i < loops.size(); i = next) {
+      for (next = i + 1; next < loops.size() && loops[next] == loops[next - 1] + 1;) ++next;
+      to.append_loops(from, loops[i], loops[next - 1] + 1, id);
+    }
+    return;
+  }
+  for (const std::uint32_t j : loops) {
+    const auto loop = from.loop(j);
+    for (auto v = loop.rbegin(); v != loop.rend(); ++v) to.corners.push_back(id(*v));
+    to.end_loop();
+  }
+}
+
+/// The box of the corners from one on.
+Box box_of_corners(const Body& body, std::size_t first) {
+  Box box;
+  for (std::size_t i = first; i < body.polygons.corners.size(); ++i)
+    box.add_around(body.approximation(body.polygons.corners[i]));
+  return box;
+}
+
 /// Writes regions as faces; triangles between grid points are raw.
 void write(Making& m, const Regions<PlaceId>& regions, const ById<PlaceId, std::uint32_t>& id) {
   Body& body = m.body;
   const auto grid_count = static_cast<std::uint32_t>(body.grid_points.size());
+  auto spared = regions.spared.begin();
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const auto corners = regions.loops.corners_of(i);
-    if (regions.loops.loop_count(i) == 1 && corners.size() == 3 &&
+    const bool is_whole = spared == regions.spared.end() || spared->region != i;
+    if (is_whole && regions.loops.loop_count(i) == 1 && corners.size() == 3 &&
         std::all_of(corners.begin(), corners.end(), [&](PlaceId p) { return id[p] < grid_count; })) {
       body.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
       continue;
     }
+    const std::size_t first = body.polygons.corners.size();
     regions.loops.for_loops(i, [&](std::span<const PlaceId> loop) {
       for (const PlaceId p : loop) body.polygons.corners.push_back(id[p]);
       body.polygons.end_loop();
     });
+    if (!is_whole) {
+      // The outer loop is drawn.
+      const auto polygon = static_cast<std::uint32_t>(body.planes.size());
+      m.spared_chunks.push_back({polygon, polygon + 1, box_of_corners(body, first)});
+    }
+    for (; spared != regions.spared.end() && spared->region == i; ++spared)
+      write_spared(m, spared->face, regions.planes[i]);
     m.close_polygon(regions.planes[i]);
   }
 }

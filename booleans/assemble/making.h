@@ -20,6 +20,8 @@ struct Making {
   /// Of copied faces; polygons count from the first polygon.
   std::vector<Chunk> raw_chunks, polygon_chunks;
   std::uint32_t listed_polygons = 0;  // polygons before this one are in chunks
+  /// Chunks of one polygon each, which has spared loops, counted from the first polygon.
+  std::vector<Chunk> spared_chunks;
 
   Making(const Arrangement& arrangement, const Selection& s, OperandId host_operand)
       : a(arrangement), selection(s), host(host_operand), vertices(arrangement, host_operand, body) {}
@@ -34,6 +36,11 @@ struct Making {
   /// The id of a vertex. Precondition: all grid points are there, or the body has room for them.
   std::uint32_t final_id(ResultName name) const {
     return name.is_derived() ? static_cast<std::uint32_t>(body.derived_base()) + name.index() : name.index();
+  }
+  /// The id of a vertex of the host, which has its own name.
+  std::uint32_t host_id(std::uint32_t v) const {
+    const Body& own = a.operands[host];
+    return own.is_grid(v) ? v : v + static_cast<std::uint32_t>(body.derived_base() - own.derived_base());
   }
   /// A name as a corner; as an id, if ids of derived points are known already.
   std::uint32_t corner(ResultName name) const { return host == none ? name.as_corner() : final_id(name); }
@@ -50,12 +57,18 @@ void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t e
 OperandId find_host(const Arrangement& a, const Selection& selection);
 /// Begins with the host's lists. Of its chunks remains what stays as it is; other faces of it are left to `changed`.
 void keep_host(Making& m);
-/// Does the body share so little that is gone that sharing pays?
-bool is_tight(const Body& body);
+/// How much of the lists of a patched body is gone: more than a quarter of the faces, or as many vertices as are there;
+/// else as many corners as are there; else less.
+enum class Waste { little, loops, much };
+Waste waste(const Body& body);
+/// Packs a patched body where much is gone, or drops loops.
+void tidy(Body& body);
 
 /// Copies the untouched raw triangles that stay, operand by operand, side by side; those of the host that are turned
 /// round follow.
 void copy_raw(Making& m);
+/// Names the vertices of spared loops that stay: as those of copied faces they stay or go with all their faces.
+void name_spared(Making& m);
 /// Copies the untouched polygons that have no vertex in the table; the others wait.
 void copy_polygons(Making& m);
 

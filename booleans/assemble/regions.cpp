@@ -28,6 +28,8 @@ class Merger {
     trace_loops();
     add_touching_points();
 
+    add_spared(sheet);
+
     // Loops of one region follow each other.
     if (count_ > 1)
       std::sort(loops_.begin(), loops_.end(), [](const Loop& x, const Loop& y) {
@@ -88,6 +90,16 @@ class Merger {
     }
   }
 
+  void add_spared(SheetId sheet) {
+    const std::size_t before = regions.spared.size();
+    for (const auto& [facet, face] : a_.sheets.spared(sheet)) {
+      const std::uint32_t f = a_.sheets.facet_of(facet).value;
+      if (kept_[f] != 0) regions.spared.push_back({regions.size() + region_of_[groups_.find(f)], face});
+    }
+    std::sort(regions.spared.begin() + static_cast<std::ptrdiff_t>(before), regions.spared.end(),
+              [](const SparedRegion& x, const SparedRegion& y) { return x.region < y.region; });
+  }
+
   /// Vertices inside a kept region that it does not list: they stay where other faces end in them.
   void add_touching_points() {
     const auto add = [&](FacetId facet, VertexId vertex) {
@@ -132,10 +144,7 @@ Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selectio
     parts[s] = std::move(merger.regions);
   });
   Regions<VertexId> all = std::move(parts[0]);
-  for (std::size_t s = 1; s < parts.size(); ++s) {
-    all.loops.append(parts[s].loops);
-    all.planes.insert(all.planes.end(), parts[s].planes.begin(), parts[s].planes.end());
-  }
+  for (std::size_t s = 1; s < parts.size(); ++s) all.append(parts[s]);
   return all;
 }
 

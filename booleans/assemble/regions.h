@@ -7,17 +7,30 @@
 
 namespace quoin::booleans {
 
+/// A region that has the spared loops of a touched face, too.
+struct SparedRegion {
+  std::size_t region;
+  TouchedId face;
+};
+
 /// Polygons in the making, one after the other.
 template <class Corner>
 struct Regions {
   std::vector<exact::Plane> planes;  // one a region, outwards
   grid::Loops<Corner> loops;
+  std::vector<SparedRegion> spared;  // by region
 
   std::size_t size() const { return planes.size(); }
   /// The loops that were added since the last region make one.
   void close(const exact::Plane& plane) {
     planes.push_back(plane);
     loops.end_face();
+  }
+  /// Adds the regions of another list.
+  void append(const Regions& more) {
+    for (const SparedRegion& s : more.spared) spared.push_back({size() + s.region, s.face});
+    loops.append(more.loops);
+    planes.insert(planes.end(), more.planes.begin(), more.planes.end());
   }
 };
 

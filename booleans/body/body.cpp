@@ -132,6 +132,29 @@ Body packed(const Body& body) {
   return r;
 }
 
+void drop_gone_loops(Body& body) {
+  const auto raw = static_cast<std::uint32_t>(body.triangles.size());
+  const std::size_t corners = body.polygons.corners.size() - body.gone_corners;
+  // Room for as much again: results that share these lists add to them before the next time.
+  decltype(body.polygons) left;
+  left.reserve(body.polygon_count(), body.polygons.loop_count(), 2 * corners);
+
+  std::uint32_t next = 0;
+  const auto skip_to = [&](std::uint32_t polygon) {
+    for (; next < polygon; ++next) left.end_face();
+  };
+  for (const Chunk& c : body.chunks) {
+    if (c.begin < raw) continue;
+    skip_to(c.begin - raw);
+    left.append_faces(body.polygons, next, c.end - raw, [](std::uint32_t v) { return v; });
+    next = c.end - raw;
+  }
+  skip_to(static_cast<std::uint32_t>(body.polygon_count()));
+
+  body.polygons = std::move(left);
+  body.gone_corners = 0;
+}
+
 Body complement(const Body& body) {
   Body r = body;
   for (auto& t : r.triangles.edit()) std::swap(t[1], t[2]);

@@ -122,6 +122,10 @@ void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::v
 /// The same solid without what is in no chunk, and with derived points after the last grid point.
 Body packed(const Body& body);
 
+/// Empties the polygons that are in no chunk, so that the lists of loops and corners hold what is there only. All else
+/// keeps its numbers. Precondition: patched.
+void drop_gone_loops(Body& body);
+
 /// The complement: every face turned round, the value at infinity inverted.
 Body complement(const Body& body);
 

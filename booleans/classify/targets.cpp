@@ -84,38 +84,40 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 void Targets::prepare(std::span<const std::uint32_t> targets) {
   ById<OperandId, std::vector<std::uint8_t>> marked(a_.operands.bodies.size());
   ById<OperandId, Box> around(marked.size());
+  const auto mark = [&](OperandId operand, std::span<const std::uint32_t> corners, const Box& box) {
+    auto& marks = marked[operand];
+    marks.resize(a_.operands[operand].vertex_count());
+    for (const std::uint32_t v : corners) marks[v] = 1;
+    around[operand].add(box);
+  };
   for (const std::uint32_t t : targets) {
-    if (targets_[t].facet != none) continue;
+    if (targets_[t].facet != none) {
+      for_spared_loops(targets_[t].facet, [&](OperandId o, auto loop) { mark(o, loop, boxes_[t]); });
+      continue;
+    }
     const auto [operand, face] = a_.operands.own(targets_[t].face);
     const Body& body = a_.operands[operand];
-    if (face < body.triangles.size()) continue;
-    auto& marks = marked[operand];
-    marks.resize(body.vertex_count());
-    for (const std::uint32_t v : body.corners_of(face)) marks[v] = 1;
-    around[operand].add(boxes_[t]);
+    if (face >= body.triangles.size()) mark(operand, body.corners_of(face), boxes_[t]);
   }
 
   for (const OperandId o : a_.operands.ids())
     if (!marked[o].empty())
       adjacency_[o] =
-          std::make_unique<Adjacency>(a_.operands[o], std::move(marked[o]), a_.operands.chunks_meeting(o, around[o]));
+          std::make_unique<Adjacency>(a_.operands[o], std::move(marked[o]), a_.operands.chunks_meeting(o, {&around[o], 1}));
+}
+
+template <class Visit>
+void Targets::for_spared_loops(NodeId facet, Visit&& visit) const {
+  for (const SparedFace& s : a_.sheets.spared(facet)) {
+    const OperandId o = a_.touched.faces[s.face].operand;
+    for (const std::uint32_t j : a_.touched.spared_of(s.face)) visit(o, a_.operands[o].polygons.loop(j));
+  }
 }
 
 template <class Visit>
 void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit) {
-  const Target& target = targets_[t];
-  if (target.facet != none) {
-    const SheetId s = a_.sheets.sheet_of(target.facet);
-    const Sheet& sheet = a_.sheets[s];
-    for (const std::uint32_t h : half_edges_[s][a_.sheets.facet_of(target.facet).value])
-      visit(Edge{a_.names.vertices.point(sheet.origin(h)), a_.names.vertices.point(sheet.target(h)),
-                 a_.names.planes[sheet.elements[h / 2].line]});
-    return;
-  }
-
-  const auto [operand, face] = a_.operands.own(target.face);
-  const Body& body = a_.operands[operand];
-  body.for_edges(face, [&, operand = operand](std::uint32_t u, std::uint32_t w) {
+  const auto visit_own = [&](OperandId operand, std::uint32_t u, std::uint32_t w) {
+    const Body& body = a_.operands[operand];
     exact::Plane line{};
     if (!body.is_grid(u) || !body.is_grid(w))
       adjacency_[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
@@ -123,13 +125,32 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
         if (!exact::parallel(plane, q)) line = q;
       });
     visit(Edge{body.point(u), body.point(w), line});
+  };
+
+  const Target& target = targets_[t];
+  if (target.facet == none) {
+    const OwnFace f = a_.operands.own(target.face);
+    a_.operands[f.operand].for_edges(f.face, [&](std::uint32_t u, std::uint32_t w) { visit_own(f.operand, u, w); });
+    return;
+  }
+
+  const SheetId s = a_.sheets.sheet_of(target.facet);
+  const Sheet& sheet = a_.sheets[s];
+  for (const std::uint32_t h : half_edges_[s][a_.sheets.facet_of(target.facet).value])
+    visit(Edge{a_.names.vertices.point(sheet.origin(h)), a_.names.vertices.point(sheet.target(h)),
+               a_.names.planes[sheet.elements[h / 2].line]});
+  for_spared_loops(target.facet, [&](OperandId o, auto loop) {
+    grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t w) { visit_own(o, u, w); });
   });
 }
 
 std::size_t Targets::edge_count(std::uint32_t t) const {
   const Target& target = targets_[t];
-  if (target.facet != none)
-    return half_edges_[a_.sheets.sheet_of(target.facet)][a_.sheets.facet_of(target.facet).value].size();
+  if (target.facet != none) {
+    std::size_t count = half_edges_[a_.sheets.sheet_of(target.facet)][a_.sheets.facet_of(target.facet).value].size();
+    for_spared_loops(target.facet, [&](OperandId, auto loop) { count += loop.size(); });
+    return count;
+  }
   const OwnFace f = a_.operands.own(target.face);
   return a_.operands[f.operand].corner_count(f.face);
 }

@@ -58,6 +58,9 @@ class Targets {
     std::vector<Edge> edges;
     BoxTree tree;
   };
+  /// visit(operand, loop) for the spared loops that lie in a facet.
+  template <class Visit>
+  void for_spared_loops(NodeId facet, Visit&& visit) const;
   template <class Visit>
   void for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visit);
   std::size_t edge_count(std::uint32_t t) const;

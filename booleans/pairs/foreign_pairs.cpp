@@ -81,7 +81,9 @@ std::vector<BoxTree::Item> near_faces(const Operands& operands) {
   return near_items(chunks.size(), count, all, 8, [&](std::size_t i, auto&& visit) {
     const OperandChunk& c = operands.chunks[chunks[i].id];
     for (const FaceId f : Ids<FaceId>(c.begin, c.end)) {
-      const Box box = face_box(operands[c.operand], operands.own(c.operand, f));
+      // A face of many corners has a chunk of its own.
+      const bool is_alone = c.end.value - c.begin.value == 1;
+      const Box box = is_alone ? c.box : face_box(operands[c.operand], operands.own(c.operand, f));
       if (operands.may_be_near(c.operand, box)) visit(BoxTree::Item{box, f.value, c.operand.value});
     }
   });

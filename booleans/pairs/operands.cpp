@@ -25,10 +25,11 @@ Operands::Operands(std::vector<const Body*> list, bool clean) : base{FaceId(0)},
   for (OperandChunk& c : chunks) c.far = !may_be_near(c.operand, c.box);
 }
 
-std::vector<Chunk> Operands::chunks_meeting(OperandId operand, const Box& box) const {
+std::vector<Chunk> Operands::chunks_meeting(OperandId operand, std::span<const Box> boxes) const {
   std::vector<Chunk> found;
   for (const OperandChunk& c : chunks_of(operand))
-    if (c.box.meets(box)) found.push_back({own(operand, c.begin), own(operand, c.end), c.box});
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return c.box.meets(b); }))
+      found.push_back({own(operand, c.begin), own(operand, c.end), c.box});
   return found;
 }
 

@@ -66,8 +66,8 @@ struct Operands {
   std::span<const OperandChunk> chunks_of(OperandId o) const {
     return std::span(chunks).subspan(first_chunk[o], first_chunk[o.value + 1] - first_chunk[o]);
   }
-  /// The chunks of one operand, in its own face numbers, that meet a box.
-  std::vector<Chunk> chunks_meeting(OperandId operand, const Box& box) const;
+  /// The chunks of one operand, in its own face numbers, that meet one of the boxes.
+  std::vector<Chunk> chunks_meeting(OperandId operand, std::span<const Box> boxes) const;
 };
 
 }  // namespace quoin::booleans

@@ -2,6 +2,7 @@
 /// Faces with loops of corners: the one form in which faces are kept.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -84,13 +85,41 @@ struct Loops {
     loop_start.reserve(loops + 1);
     corners.reserve(corner_count);
   }
-  /// Adds all faces of another list, shape for shape.
+  /// Adds loops first .. last - 1 of another list, each corner c as corner_of(c).
+  template <template <class...> class OtherList, class CornerOf>
+  void append_loops(const Loops<Corner, OtherList>& more, std::size_t first, std::size_t last, CornerOf corner_of) {
+    const std::uint32_t begin = more.loop_start[first], end = more.loop_start[last];
+    const std::uint32_t shift = static_cast<std::uint32_t>(corners.size()) - begin;
+    const auto from = std::span<const Corner>(more.corners).subspan(begin, end - begin);
+    std::transform(from.begin(), from.end(), grown(corners, from.size()).begin(), corner_of);
+
+    const auto starts = std::span<const std::uint32_t>(more.loop_start).subspan(first + 1, last - first);
+    std::transform(starts.begin(), starts.end(), grown(loop_start, starts.size()).begin(),
+                   [&](std::uint32_t start) { return start + shift; });
+  }
+  /// Adds faces first .. last - 1 of another list, each corner c as corner_of(c).
+  template <template <class...> class OtherList, class CornerOf>
+  void append_faces(const Loops<Corner, OtherList>& more, std::size_t first, std::size_t last, CornerOf corner_of) {
+    const std::uint32_t shift = static_cast<std::uint32_t>(loop_count()) - more.face_start[first];
+    append_loops(more, more.face_start[first], more.face_start[last], corner_of);
+    for (std::size_t i = first; i < last; ++i) face_start.push_back(more.face_start[i + 1] + shift);
+  }
+  /// Adds all faces of another list.
   template <template <class...> class OtherList>
   void append(const Loops<Corner, OtherList>& more) {
-    const auto loops = static_cast<std::uint32_t>(loop_count()), first = static_cast<std::uint32_t>(corners.size());
-    for (std::size_t i = 1; i < more.face_start.size(); ++i) face_start.push_back(more.face_start[i] + loops);
-    for (std::size_t j = 1; j < more.loop_start.size(); ++j) loop_start.push_back(more.loop_start[j] + first);
-    for (const Corner& c : more.corners) corners.push_back(c);
+    append_faces(more, 0, more.face_start.size() - 1, [](const Corner& c) { return c; });
+  }
+
+ private:
+  /// n more items of a list, to be written.
+  template <class Items>
+  static auto grown(Items& items, std::size_t n) {
+    if constexpr (requires { items.grow(n); }) {
+      return items.grow(n);
+    } else {
+      items.resize(items.size() + n);
+      return std::span(items).last(n);
+    }
   }
 };
 

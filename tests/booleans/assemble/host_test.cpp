@@ -29,22 +29,48 @@ TEST(Host, KeptChunks) {
   EXPECT_EQ(chunks[0].box.high, cube(0, 4).high);
 }
 
-// A body that lists some of 5 triangles, and of whose 25 corners some are gone.
-TEST(Host, TightBodies) {
+// A body that lists some of 5 triangles and 25 corners, some of which are gone, and some vertices.
+TEST(Host, WasteOfPatchedBodies) {
   const WithThresholds usual{grid::Thresholds{}};
-  const auto tight = [](std::uint32_t live, std::size_t gone_corners) {
+  const auto waste_of = [](std::uint32_t live, std::size_t gone_corners, int vertices) {
     Body body;
     for (int i = 0; i < 5; ++i) body.triangles.push_back({0, 1, 2});
     for (std::uint32_t i = 0; i < 25; ++i) body.polygons.corners.push_back(i);
+    for (int i = 0; i < vertices; ++i) body.grid_points.push_back({{i, 0, 0}});
     body.chunks = {{0, live, Box{}}};
     body.gone_corners = gone_corners;
-    return is_tight(body);
+    return waste(body);
   };
-  EXPECT_TRUE(tight(5, 0));
-  EXPECT_TRUE(tight(4, 0)) << "one face gone for four";
-  EXPECT_FALSE(tight(3, 0));
-  EXPECT_TRUE(tight(5, 5)) << "one corner gone for four";
-  EXPECT_FALSE(tight(5, 6));
+  EXPECT_EQ(waste_of(5, 0, 3), Waste::little);
+  EXPECT_EQ(waste_of(4, 0, 3), Waste::little) << "one face gone for four";
+  EXPECT_EQ(waste_of(3, 0, 3), Waste::much);
+  EXPECT_EQ(waste_of(5, 20, 3), Waste::little) << "of 40 corners half are gone";
+  EXPECT_EQ(waste_of(5, 21, 3), Waste::loops);
+  EXPECT_EQ(waste_of(5, 10, 20), Waste::little) << "20 vertices with 30 corners";
+  EXPECT_EQ(waste_of(5, 10, 21), Waste::much);
+}
+
+// Loops that are gone leave the lists; all else keeps its numbers.
+TEST(Host, DroppedLoops) {
+  Body body;
+  body.triangles.push_back({0, 1, 2});
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    body.polygons.add_loop(std::vector<std::uint32_t>{10 * i, 10 * i + 1, 10 * i + 2});
+    if (i == 2) body.polygons.add_loop(std::vector<std::uint32_t>{25, 26, 27, 28});
+    body.polygons.end_face();
+    body.planes.push_back({{1, 0, 0}, i});
+  }
+  body.is_packed = false;
+  body.chunks = {{0, 1, Box{}}, {2, 4, Box{}}};  // polygons 1 and 2
+  body.gone_corners = 6;
+
+  drop_gone_loops(body);
+  EXPECT_EQ(body.gone_corners, 0u);
+  EXPECT_EQ(body.planes.size(), 4u);
+  const std::vector<std::uint32_t> corners(body.polygons.corners.begin(), body.polygons.corners.end());
+  EXPECT_EQ(corners, (std::vector<std::uint32_t>{10, 11, 12, 20, 21, 22, 25, 26, 27, 28}));
+  for (std::uint32_t p = 0; p < 4; ++p) EXPECT_EQ(body.polygons.loop_count(p), (std::array{0u, 1u, 2u, 0u})[p]);
+  EXPECT_EQ(body.polygons.loop(body.polygons.face_start[2])[0], 20u);
 }
 
 // A large ball and a small block at its surface, or far from it: a host keeps what is far, as it is.
