@@ -28,13 +28,13 @@ Map map_between(const grid::Lattice& from, const grid::Lattice& to) {
   return {n[0], divisor, {n[1], n[2], n[3]}};
 }
 
-enum class Fault { none, inexact, out_of_range };
+enum class Misfit { none, inexact, out_of_range };
 
 /// Carries elements over; the first that does not fit is remembered and the others are then meaningless.
 class Mover {
  public:
   explicit Mover(const Map& map) : map_(map) {}
-  Fault fault() const { return fault_; }
+  Misfit fault() const { return fault_; }
 
   exact::Point point(const exact::Point& p) {
     const Integer w = exact::to_integer(p.w);
@@ -46,15 +46,15 @@ class Mover {
     }
     for (Integer& x : v) x /= content;
     for (std::size_t k = 0; k < 3; ++k)
-      if (abs(v[k]) > v[3] * exact::world) return fail(Fault::out_of_range, p);
+      if (abs(v[k]) > v[3] * exact::world) return fail(Misfit::out_of_range, p);
 
     exact::Point r{};
     const auto denominator = exact::to_int<exact::Denominator::bits>(v[3]);
-    if (!denominator) return fail(Fault::inexact, p);
+    if (!denominator) return fail(Misfit::inexact, p);
     r.w = *denominator;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto numerator = exact::to_int<exact::Numerator::bits>(v[k]);
-      if (!numerator) return fail(Fault::inexact, p);
+      if (!numerator) return fail(Misfit::inexact, p);
       r.x[k] = *numerator;
       r.approximation[k] = exact::rounded_quotient(r.x[k], r.w);
     }
@@ -66,7 +66,7 @@ class Mover {
     exact::GridPoint r{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Integer x = map_.scale * p.c[k] + map_.shift[k];
-      if (abs(x) > exact::world) return fail(Fault::out_of_range, p);
+      if (abs(x) > exact::world) return fail(Misfit::out_of_range, p);
       r.c[k] = static_cast<std::int32_t>(x);
     }
     return r;
@@ -88,29 +88,29 @@ class Mover {
     exact::Plane r{};
     for (std::size_t k = 0; k < 3; ++k) {
       v[k] /= content;
-      if (abs(v[k]) > limit) return fail(Fault::inexact, p);
+      if (abs(v[k]) > limit) return fail(Misfit::inexact, p);
       r.n[k] = static_cast<std::int64_t>(v[k]);
     }
     v[3] /= content;
-    if (abs(v[3]) > offset_limit) return fail(Fault::inexact, p);
+    if (abs(v[3]) > offset_limit) return fail(Misfit::inexact, p);
     r.d = exact::to_int<exact::Offset::bits>(v[3])->low();
     return r;
   }
 
  private:
   template <class Element>
-  const Element& fail(Fault fault, const Element& element) {
+  const Element& fail(Misfit fault, const Element& element) {
     // Of two faults the worse: no finer step mends a point outside the world.
     fault_ = std::max(fault_, fault);
     return element;
   }
 
   const Map& map_;
-  Fault fault_ = Fault::none;
+  Misfit fault_ = Misfit::none;
 };
 
 /// Grid points stay grid points: the body keeps its shape.
-Fault move_body(const Map& map, Body& body) {
+Misfit move_body(const Map& map, Body& body) {
   Mover mover(map);
   // Their boxes are of the old lattice.
   body.chunks.clear();
@@ -121,7 +121,7 @@ Fault move_body(const Map& map, Body& body) {
 }
 
 /// Grid points may become derived ones: triangles become the maximal faces they are parts of.
-Fault move_boundary(const Map& map, Boundary& boundary) {
+Misfit move_boundary(const Map& map, Boundary& boundary) {
   Mover mover(map);
   for (auto& p : boundary.vertices) p = mover.point(p);
   for (auto& p : boundary.planes) p = mover.plane(p);
@@ -129,18 +129,18 @@ Fault move_boundary(const Map& map, Boundary& boundary) {
 }
 
 /// A body on another lattice.
-Fault moved(const Body& body, const Map& map, std::optional<Body>& result) {
-  Fault fault = Fault::none;
+Misfit moved(const Body& body, const Map& map, std::optional<Body>& result) {
+  Misfit fault = Misfit::none;
   if (map.divisor == 1) {
     result = body;
     fault = move_body(map, *result);
   } else {
     Boundary boundary = canonical(body);
     fault = move_boundary(map, boundary);
-    if (fault == Fault::none) result = body_of(boundary);
+    if (fault == Misfit::none) result = body_of(boundary);
   }
 
-  if (fault != Fault::none) result.reset();
+  if (fault != Misfit::none) result.reset();
   return fault;
 }
 
@@ -158,7 +158,7 @@ grid::Lattice common_lattice(const grid::Lattice& from, const grid::Lattice& to)
 }
 
 /// The first vertex that has the fault, or the first face whose plane has it, by its first corner. One has.
-std::string place_of(const Body& body, const grid::Lattice& from, const Map& map, Fault fault) {
+std::string place_of(const Body& body, const grid::Lattice& from, const Map& map, Misfit fault) {
   const auto fails = [&](auto&& carry) {
     Mover mover(map);
     carry(mover);
@@ -190,26 +190,26 @@ std::string place_of(const Body& body, const grid::Lattice& from, const Map& map
 Error inexact(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
   const grid::Lattice common = common_lattice(from, to);
   std::optional<Body> result;
-  const bool works = moved(body, map_between(from, common), result) == Fault::none;
+  const bool works = moved(body, map_between(from, common), result) == Misfit::none;
   return {ErrorCode::inexact_grid,
           "the solid on the grid of step " + exact::to_string(from.step) + " is not exact on the grid of step " +
               exact::to_string(to.step) + "; the step " + exact::to_string(works ? common.step : from.step) +
               " would work",
           {},
-          place_of(body, from, map_between(from, to), Fault::inexact)};
+          place_of(body, from, map_between(from, to), Misfit::inexact)};
 }
 
 Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
   std::optional<Body> result;
   grid::Lattice centred = to;
   centred.origin = from.origin;
-  const bool works = moved(body, map_between(from, centred), result) == Fault::none;
+  const bool works = moved(body, map_between(from, centred), result) == Misfit::none;
   return {ErrorCode::out_of_range,
           "the solid reaches beyond the world of +-2^29 steps of " + exact::to_string(to.step) +
               (works ? std::string("; the same step with the origin of its own grid would work")
                      : "; the step " + exact::to_string(from.step) + " of its own grid, with its origin, would work"),
           {},
-          place_of(body, from, map_between(from, to), Fault::out_of_range)};
+          place_of(body, from, map_between(from, to), Misfit::out_of_range)};
 }
 
 }  // namespace
@@ -217,11 +217,11 @@ Error out_of_range(const Body& body, const grid::Lattice& from, const grid::Latt
 Result<Body> on_lattice(const Body& body, const grid::Lattice& from, const grid::Lattice& to) {
   std::optional<Body> result;
   switch (moved(body, map_between(from, to), result)) {
-    case Fault::none:
+    case Misfit::none:
       break;
-    case Fault::inexact:
+    case Misfit::inexact:
       return inexact(body, from, to);
-    case Fault::out_of_range:
+    case Misfit::out_of_range:
       return out_of_range(body, from, to);
   }
   return std::move(*result);

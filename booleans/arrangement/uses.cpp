@@ -9,7 +9,7 @@ namespace quoin::booleans {
 namespace {
 
 /// Order of uses with the same lower vertex.
-bool before(const Use& x, const Use& y) {
+bool comes_before(const Use& x, const Use& y) {
   return std::tie(x.high, x.node, x.left, x.plane) < std::tie(y.high, y.node, y.left, y.plane);
 }
 
@@ -40,12 +40,12 @@ Use use_of_patch(const Operands& operands, const Patches& patches, FaceId face, 
 std::vector<Use> sorted(std::vector<Use> uses, std::size_t vertices) {
   auto by_low = grid::moved_to_buckets(std::span(uses), vertices, [](const Use& u) { return u.low.value; });
   grid::in_stretches(vertices, 4096, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) std::sort(by_low[v].begin(), by_low[v].end(), before);
+    for (std::size_t v = first; v < last; ++v) std::sort(by_low[v].begin(), by_low[v].end(), comes_before);
   });
 
   // An untouched face that hangs at two touched ones is listed twice.
   const auto same = [](const Use& x, const Use& y) {
-    return x.element == none && x.low == y.low && !before(x, y) && !before(y, x);
+    return x.element == none && x.low == y.low && !comes_before(x, y) && !comes_before(y, x);
   };
   const auto all = by_low.items();
   uses.assign(all.begin(), std::unique(all.begin(), all.end(), same));
