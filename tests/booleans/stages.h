@@ -60,13 +60,19 @@ inline Arrangement arranged(std::span<const Body> bodies) {
   return std::move(arrange(std::move(operands), pairs)).value();
 }
 
-/// The lines of a dump in alphabetical order, which no numbering changes.
-inline std::vector<std::string> sorted_lines(const std::string& text) {
+/// The lines of a dump.
+inline std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  std::sort(lines.begin(), lines.end());
-  return lines;
+  std::vector<std::string> all;
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  return all;
+}
+
+/// In alphabetical order, which no numbering changes.
+inline std::vector<std::string> sorted_lines(const std::string& text) {
+  std::vector<std::string> all = lines_of(text);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace quoin::booleans::testing

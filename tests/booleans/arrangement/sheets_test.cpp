@@ -2,65 +2,42 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
-#include "exact/rational.h"
 #include "tests/booleans/stages.h"
 
 namespace quoin::booleans::testing {
 namespace {
 
-using exact::Rational;
-
-/// What an edge adds to twice the signed area of the projection along an axis.
-Rational twice_area(const Names& names, VertexId u, VertexId v, std::size_t axis) {
-  const int i = static_cast<int>((axis + 1) % 3), j = static_cast<int>((axis + 2) % 3);
-  const exact::Point p = names.vertices.point(u), q = names.vertices.point(v);
-  return exact::coordinate(p, i) * exact::coordinate(q, j) - exact::coordinate(q, i) * exact::coordinate(p, j);
-}
-
-/// Facets tile their faces: areas of facets, as often as they are covered, sum to the areas of the faces.
-void expect_areas_add_up(const Drawn& drawn) {
-  const Names& names = drawn.names;
-  for (const Sheet& sheet : drawn.sheets) {
-    const std::size_t axis = exact::longest_component(names.planes[sheet.plane].n);
-    Rational facets = 0, faces = 0;
-    for (std::uint32_t h = 0; h < sheet.half_edges(); ++h)
-      if (sheet.facet[h] != none)
-        facets += sheet.covers(sheet.facet[h]).size() * twice_area(names, sheet.origin(h), sheet.target(h), axis);
-    for (const TouchedId t : Ids<TouchedId>(drawn.touched.faces.size())) {
-      const TouchedFace& face = drawn.touched.faces[t];
-      if (face.plane != sheet.plane) continue;
-      for (const BoundaryEdge& e : drawn.touched.edges_of(t))
-        faces += face.jump() * twice_area(names, e.from, e.to, axis);
-    }
-    EXPECT_EQ(facets, faces);
-  }
-}
-
-/// Every facet lies on one side of each of its elements, and all of a facet's half-edges form closed loops.
-void expect_loops_close(const Drawn& drawn) {
-  for (const Sheet& sheet : drawn.sheets)
-    for (const FacetId f : Ids<FacetId>(sheet.facet_count())) {
-      std::map<VertexId, int> balance;
-      for (std::uint32_t h = 0; h < sheet.half_edges(); ++h) {
-        if (sheet.facet[h] != f) continue;
-        ++balance[sheet.origin(h)];
-        --balance[sheet.target(h)];
-      }
-      for (const auto& [v, sum] : balance) EXPECT_EQ(sum, 0);
-    }
-}
-
-TEST(Sheets, FacetsTileTheirFaces) {
-  for_families(0x5EE7, 40, [](Solids& solids, Random&) {
-    const Body a = solids.next(), b = solids.next(), c = solids.next();
-    const std::vector<Body> bodies{odd(a, b), c, b};
-    const Drawn drawn(bodies);
-    expect_areas_add_up(drawn);
-    expect_loops_close(drawn);
-  });
+// A tip on a face is a point in its facet, and a corner of facets on three other sheets.
+TEST(Sheets, TipOnAFace) {
+  const std::vector<Body> bodies{box({-4, -4, -4}, {4, 4, 0}),
+                                 *tetrahedron({{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {-2, -2, 2}}})};
+  const Drawn drawn(bodies);
+  EXPECT_EQ(lines_of(dump(drawn.sheets, drawn.names)), (std::vector<std::string>{
+                                                           "sheet [0 0 1 0]",
+                                                           "  facet 0 of 0",
+                                                           "    (-4, -4, 0) -> (4, -4, 0)",
+                                                           "    (-4, 4, 0) -> (-4, -4, 0)",
+                                                           "    (4, -4, 0) -> (4, 4, 0)",
+                                                           "    (4, 4, 0) -> (-4, 4, 0)",
+                                                           "  point (0, 0, 0) in facet 0",
+                                                           "sheet [1 1 -1 0]",
+                                                           "  facet 1 of 1",
+                                                           "    (0, 0, 0) -> (0, 2, 2)",
+                                                           "    (2, 0, 2) -> (0, 0, 0)",
+                                                           "    (0, 2, 2) -> (2, 0, 2)",
+                                                           "sheet [1 -2 -1 0]",
+                                                           "  facet 2 of 2",
+                                                           "    (0, 0, 0) -> (2, 0, 2)",
+                                                           "    (-2, -2, 2) -> (0, 0, 0)",
+                                                           "    (2, 0, 2) -> (-2, -2, 2)",
+                                                           "sheet [2 -1 1 0]",
+                                                           "  facet 3 of 3",
+                                                           "    (0, 0, 0) -> (0, 2, 2)",
+                                                           "    (-2, -2, 2) -> (0, 0, 0)",
+                                                           "    (0, 2, 2) -> (-2, -2, 2)",
+                                                       }));
 }
 
 // The corner of one cube in another: each face that takes part is cut into an L and a square.
@@ -87,6 +64,50 @@ TEST(Sheets, SharedFaceIsOneFacetOfTwoCovers) {
   for (const Sheet& sheet : drawn.sheets)
     for (const FacetId f : Ids<FacetId>(sheet.facet_count())) shared += sheet.covers(f).size() == 2;
   EXPECT_EQ(shared, 1u);
+}
+
+// In how many stretches sheets are drawn side by side shows in no number and no line, although those that wait for the
+// names of new points are drawn after the others of their stretch.
+TEST(Sheets, AreTheSameInAnyStretches) {
+  std::size_t new_points = 0;
+  for_families(0x5EE8, 15, [&](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next(), solids.next()};
+    const Operands operands(Drawn::pointers(bodies));
+    const FacePairs pairs = foreign_pairs(operands);
+    Names before;
+    const Touched touched = collect_touched(operands, pairs, before);
+    const Contacts contacts = find_contacts(touched, touched_pairs(touched, pairs), before);
+
+    const auto draw = [&](std::size_t stretch) {
+      const WithThresholds thresholds(grid::testing::with(&grid::Thresholds::stretch, stretch));
+      Names names = before;
+      const Sheets sheets = draw_sheets(touched, contacts, names);
+      new_points += names.vertices.size() - before.vertices.size();
+      return lines_of(dump(sheets, names));
+    };
+    ASSERT_EQ(draw(3), draw(64));
+  });
+  EXPECT_GT(new_points, 0u);
+}
+
+// Facets and elements of all sheets are numbered through.
+TEST(Sheets, NodesAndElementsAreNumberedThrough) {
+  const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
+  const Sheets sheets = Drawn(bodies).sheets;
+  std::uint32_t node = 0, element = 0;
+  for (const SheetId s : sheets.ids()) {
+    for (const FacetId f : Ids<FacetId>(sheets[s].facet_count())) {
+      EXPECT_EQ(sheets.node(s, f), NodeId(node));
+      EXPECT_EQ(sheets.sheet_of(node), s);
+      EXPECT_EQ(sheets.facet_of(node), f);
+      ++node;
+    }
+    for (std::uint32_t e = 0; e < sheets[s].elements.size(); ++e) EXPECT_EQ(sheets.element(s, e), ElementId(element++));
+  }
+  EXPECT_EQ(sheets.facet_count(), node);
+  EXPECT_EQ(sheets.element_count(), element);
+  EXPECT_TRUE(sheets.is_facet(node - 1));
+  EXPECT_FALSE(sheets.is_facet(node));
 }
 
 }  // namespace

@@ -10,6 +10,57 @@
 namespace quoin::booleans::testing {
 namespace {
 
+std::vector<std::string> touched_of(const std::vector<Body>& bodies) {
+  const Drawn drawn(bodies);
+  return lines_of(dump(drawn.touched, drawn.names));
+}
+
+// A tip on the middle of a face: the face, whose triangles both meet it, and the three faces of the tip. Each with its
+// outward plane and the edges that have it on their left.
+TEST(Touched, TipOnAFace) {
+  const std::vector<Body> bodies{box({-4, -4, -4}, {4, 4, 0}),
+                                 *tetrahedron({{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {-2, -2, 2}}})};
+  EXPECT_EQ(touched_of(bodies), (std::vector<std::string>{
+                                    "face 0 of operand 0 on [0 0 1 0]",
+                                    "  (-4, -4, 0) -> (4, -4, 0)",
+                                    "  (4, -4, 0) -> (4, 4, 0)",
+                                    "  (4, 4, 0) -> (-4, 4, 0)",
+                                    "  (-4, 4, 0) -> (-4, -4, 0)",
+                                    "face 1 of operand 1 on [1 1 -1 0]",
+                                    "  (0, 0, 0) -> (0, 2, 2)",
+                                    "  (0, 2, 2) -> (2, 0, 2)",
+                                    "  (2, 0, 2) -> (0, 0, 0)",
+                                    "face 2 of operand 1 on [1 -2 -1 0]",
+                                    "  (0, 0, 0) -> (2, 0, 2)",
+                                    "  (2, 0, 2) -> (-2, -2, 2)",
+                                    "  (-2, -2, 2) -> (0, 0, 0)",
+                                    "face 3 of operand 1 on [-2 1 -1 0]",
+                                    "  (0, 0, 0) -> (-2, -2, 2)",
+                                    "  (-2, -2, 2) -> (0, 2, 2)",
+                                    "  (0, 2, 2) -> (0, 0, 0)",
+                                }));
+}
+
+// The bottom of a plate has a hole, and a dot where a void ends in a tip; the tip of a tetrahedron below touches it.
+TEST(Touched, HolesAndDots) {
+  const Body plate = minus(minus(box({0, 0, 0}, {8, 4, 4}), box({4, 1, -1}, {6, 3, 2})),
+                           *tetrahedron({{{2, 2, 0}, {1, 1, 2}, {3, 1, 2}, {2, 3, 2}}}));
+  EXPECT_EQ(touched_of({plate, *tetrahedron({{{1, 3, 0}, {0, 3, -2}, {2, 3, -2}, {1, 4, -2}}})}),
+            (std::vector<std::string>{
+                "face 0 of operand 0 on [0 0 -1 0]",  "  (0, 0, 0) -> (0, 4, 0)",
+                "  (0, 4, 0) -> (8, 4, 0)",           "  (8, 4, 0) -> (8, 0, 0)",
+                "  (8, 0, 0) -> (0, 0, 0)",           "  (4, 3, 0) -> (4, 1, 0)",
+                "  (4, 1, 0) -> (6, 1, 0)",           "  (6, 1, 0) -> (6, 3, 0)",
+                "  (6, 3, 0) -> (4, 3, 0)",           "  point (2, 2, 0)",
+                "face 1 of operand 1 on [0 -1 0 3]",  "  (1, 3, 0) -> (0, 3, -2)",
+                "  (0, 3, -2) -> (2, 3, -2)",         "  (2, 3, -2) -> (1, 3, 0)",
+                "face 2 of operand 1 on [-2 2 1 -4]", "  (1, 3, 0) -> (1, 4, -2)",
+                "  (1, 4, -2) -> (0, 3, -2)",         "  (0, 3, -2) -> (1, 3, 0)",
+                "face 3 of operand 1 on [2 2 1 -8]",  "  (1, 3, 0) -> (2, 3, -2)",
+                "  (2, 3, -2) -> (1, 4, -2)",         "  (1, 4, -2) -> (1, 3, 0)",
+            }));
+}
+
 // The two triangles of a square are one face, whose diagonal is no edge.
 TEST(Touched, DiagonalsAreNoEdges) {
   const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};

@@ -46,14 +46,23 @@ TEST(Uses, CornerOfACubeInACube) {
   EXPECT_TRUE(fans.contains(2));
 }
 
-// The untouched faces of each cube hang together: one patch each.
-TEST(Patches, OneForTheRestOfACube) {
-  const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
+// At the edges of the face under a tip its facet and a patch; of the tip two facets, or a facet and a patch.
+TEST(Uses, TipOnAFace) {
+  const std::vector<Body> bodies{box({-4, -4, -4}, {4, 4, 0}),
+                                 *tetrahedron({{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {-2, -2, 2}}})};
   const Arrangement a = arranged(bodies);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> patches;
-  for (std::uint32_t f = 0; f < a.operands.face_count(); ++f)
-    if (const NodeId n = a.patches().of[FaceId(f)]; n != none) patches.insert({n.value, a.patches().operand(n).value});
-  EXPECT_EQ(patches.size(), 2u);
+  EXPECT_EQ(lines_of(dump(a.uses, a.names)), (std::vector<std::string>{
+                                                 "(-4, -4, 0) - (4, -4, 0): 0 left patch 4 left",
+                                                 "(-4, -4, 0) - (-4, 4, 0): 0 right patch 4 right",
+                                                 "(4, -4, 0) - (4, 4, 0): 0 left patch 4 right",
+                                                 "(4, 4, 0) - (-4, 4, 0): 0 left patch 4 right",
+                                                 "(0, 0, 0) - (0, 2, 2): 1 left 3 left",
+                                                 "(0, 0, 0) - (2, 0, 2): 1 right 2 left",
+                                                 "(0, 0, 0) - (-2, -2, 2): 2 right 3 right",
+                                                 "(0, 2, 2) - (2, 0, 2): 1 left patch 5 right",
+                                                 "(0, 2, 2) - (-2, -2, 2): 3 left patch 5 left",
+                                                 "(2, 0, 2) - (-2, -2, 2): 2 left patch 5 right",
+                                             }));
 }
 
 }  // namespace
