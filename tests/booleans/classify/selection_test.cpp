@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <map>
 
+#include "tests/booleans/lattice_regions.h"
 #include "tests/booleans/stages.h"
 
 namespace quoin::booleans::testing {
@@ -36,53 +37,89 @@ TEST(Selection, OfOneOperandIsItsSurface) {
   });
 }
 
-// Outside, in one cube, in the other, in both.
-TEST(Cells, CornerOfACubeInACube) {
-  const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
+std::vector<std::string> selection_of(const std::vector<Body>& bodies, const Expression& expression) {
   const Arrangement a = arranged(bodies);
-  const Cells cells = find_cells(a);
-  std::set<std::uint32_t> ids{cells.infinity.value};
-  for (const CellId c : cells.of) ids.insert(c.value);
-  EXPECT_EQ(ids.size(), 4u);
+  return lines_of(dump(select(a, find_cells(a), expression)));
 }
 
-// Boxes within boxes and beside each other, none touching: a union keeps those that lie in no other.
-TEST(Seeds, BoxesWithinBoxes) {
+// The facet that both share, 0, goes in a union; the lower one without the upper one keeps it, looking up, and so does
+// the lower one with all that is not in the upper one. They have no common inside.
+TEST(Selection, TetrahedraThatShareAFace) {
+  const std::vector<Body> bodies{*tetrahedron({{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, -3}}}),
+                                 *tetrahedron({{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 3}}})};
+  EXPECT_EQ(selection_of(bodies, Expression::flat(Rule::any, 2)),
+            (std::vector<std::string>{"0: 0", "1: -1", "2: -1", "3: 1", "4: -1", "5: -1", "6: 1", "infinity: 0"}));
+  EXPECT_EQ(selection_of(bodies, Expression::flat(Rule::all, 2)),
+            (std::vector<std::string>{"0: 0", "1: 0", "2: 0", "3: 0", "4: 0", "5: 0", "6: 0", "infinity: 0"}));
+  EXPECT_EQ(selection_of(bodies, Expression::flat(Rule::all, 2, 1)),
+            (std::vector<std::string>{"0: 1", "1: -1", "2: -1", "3: 1", "4: 0", "5: 0", "6: 0", "infinity: 0"}));
+  EXPECT_EQ(selection_of(bodies, Expression::flat(Rule::any, 2, 1)),
+            (std::vector<std::string>{"0: 1", "1: 0", "2: 0", "3: 0", "4: 1", "5: 1", "6: -1", "infinity: 1"}));
+}
+
+/// How many kept facets and untouched faces have an edge, which they are asked for one by one.
+std::map<std::pair<VertexId, VertexId>, int> kept_at_edges(const Arrangement& a, const Selection& selection) {
+  std::map<std::pair<VertexId, VertexId>, int> counts;
+  for (const SheetId s : a.sheets.ids()) {
+    const Sheet& sheet = a.sheets[s];
+    for (std::uint32_t h = 0; h < sheet.half_edges(); ++h)
+      if (sheet.facet[h] != none && selection.kept[a.sheets.node(s, sheet.facet[h])] != 0)
+        ++counts[std::minmax(sheet.origin(h), sheet.target(h))];
+  }
+  for (const FaceId f : Ids<FaceId>(a.operands.face_count())) {
+    const NodeId n = a.patches().of[f];
+    if (n == none || selection.kept[n] == 0) continue;
+    const auto [operand, face] = a.operands.own(f);
+    const OperandNames& names = a.names.operands[operand];
+    a.operands[operand].for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
+      if (names.of(u) != none && names.of(v) != none) ++counts[std::minmax(names.of(u), names.of(v))];
+    });
+  }
+  return counts;
+}
+
+// Sets of tetrahedra of one lattice and a random expression: a node is kept, and looks out, as the expression's values
+// in the regions on both sides say; how many kept ones meet at an element is counted.
+TEST(Selection, KeepsWhatTheRegionsOnBothSidesSay) {
+  std::size_t kept = 0;
   for (std::uint64_t number = 0; number < case_count(40); ++number) {
     SCOPED_TRACE(case_name(number));
-    Random random(0x5EED, number);
-    std::vector<Body> bodies;
-    std::vector<std::array<Vector, 2>> boxes;
-    const auto apart = [](const auto& p, const auto& q) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (p[1][k] < q[0][k] || q[1][k] < p[0][k]) return true;
-      return false;
-    };
-    const auto within = [](const auto& p, const auto& q) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (p[0][k] <= q[0][k] || p[1][k] >= q[1][k]) return false;
-      return true;
-    };
-    for (int tries = 0; tries < 60; ++tries) {
-      const Vector low = random.vector(-20, 20), size = random.vector(1, random.one_in(3) ? 20 : 4);
-      const std::array<Vector, 2> next{low, low + size};
-      if (!std::all_of(boxes.begin(), boxes.end(),
-                       [&](const auto& b) { return apart(b, next) || within(b, next) || within(next, b); }))
-        continue;
-      boxes.push_back(next);
-      bodies.push_back(box(next[0], next[1]));
+    Random random(0x5E1F, number);
+    std::vector<Filling> fillings(1 + random.below(4));
+    for (Filling& f : fillings) f = Filling(random.below(5));
+    const auto sets = lattice_sets(random, random.vector(1, 3), fillings);
+    std::vector<Body> bodies = boundaries(sets);
+    std::vector<bool> is_complement;
+    for (Body& b : bodies) {
+      is_complement.push_back(random.one_in(4));
+      if (is_complement.back()) b = complement(b);
     }
-
+    const Expression e = random_expression(random, bodies.size(), 3);
     const Arrangement a = arranged(bodies);
-    const Selection s =
-        select(a, find_cells(a), Expression::flat(Rule::any, static_cast<std::uint32_t>(bodies.size())));
-    for (std::uint32_t o = 0; o < bodies.size(); ++o) {
-      const bool is_hidden =
-          std::any_of(boxes.begin(), boxes.end(), [&](const auto& b) { return within(boxes[o], b); });
-      for (std::uint32_t f = 0; f < bodies[o].face_count(); ++f)
-        EXPECT_EQ(int{s.kept[a.patches().of[a.operands.face(o, f)]]}, is_hidden ? 0 : 1);
-    }
+    const Selection s = select(a, find_cells(a), e);
+    ASSERT_TRUE(s.is_consistent);
+
+    LatticeRegions regions(sets, a);
+    const auto value = [&](std::uint32_t region) {
+      const std::vector<bool> label = regions.label(region);
+      return holds(e, [&](std::uint32_t o) { return label[o] != is_complement[o]; });
+    };
+    ASSERT_EQ(s.full_at_infinity, value(regions.infinity()));
+    for (const NodeId n : Ids<NodeId>(a.node_count()))
+      for (const std::uint32_t front : regions.seen_by(front_of(n)))
+        for (const std::uint32_t back : regions.seen_by(back_of(n)))
+          ASSERT_EQ(int{s.kept[n]}, int{value(back)} - int{value(front)});
+
+    const auto counts = kept_at_edges(a, s);
+    for (const SheetId sheet : a.sheets.ids())
+      for (std::uint32_t i = 0; i < a.sheets[sheet].elements.size(); ++i) {
+        const Sheet::Element& element = a.sheets[sheet].elements[i];
+        const auto at = counts.find(std::minmax(element.a, element.b));
+        ASSERT_EQ(int{s.kept_at[a.sheets.element(sheet, i)]}, at == counts.end() ? 0 : at->second);
+      }
+    kept += static_cast<std::size_t>(std::count_if(s.kept.begin(), s.kept.end(), [](int k) { return k != 0; }));
   }
+  EXPECT_GT(kept, case_count(40));
 }
 
 }  // namespace
