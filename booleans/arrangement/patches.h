@@ -17,7 +17,8 @@ struct Patches {
   std::vector<OperandId> operand_of;  // by patch: node - first
   NodeId first;                       // patches follow the facets
   /// Per operand: the patch of the untouched faces of far chunks, and of those that hang together with them; none
-  /// without any. In front of it (of an operand that is full at infinity: behind it) all is as at infinity.
+  /// without far chunks. Where touched faces reach through all of these it has no face. In front of it (of an operand
+  /// that is full at infinity: behind it) all is as at infinity.
   ById<OperandId, NodeId> far;
   ById<OperandId, std::vector<CrowdedEdge>> crowded;
 
