@@ -11,7 +11,8 @@ namespace quoin::booleans {
 
 namespace {
 
-/// The facet on the inner side of the first edge of a face, which is on its outer loop and runs as it did.
+/// The facet on the inner side of the first edge of a face, which is on its outer loop. Of a clean operand it runs as it
+/// did; none where other faces of a trusted one cut it.
 FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) {
   const BoundaryEdge& e = touched.edges_of(face)[0];
   const auto find = [&](VertexId a, VertexId b) -> std::uint32_t {
@@ -25,8 +26,7 @@ FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) 
   const bool along = touched.faces[face].along;
   if (const std::uint32_t i = find(e.from, e.to); i != none) return sheet.facet[2 * i + !along];
   const std::uint32_t i = find(e.to, e.from);
-  assert(i != none);
-  return sheet.facet[2 * i + along];
+  return i != none ? sheet.facet[2 * i + along] : FacetId(none);
 }
 
 }  // namespace
@@ -46,7 +46,8 @@ Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const
   for (const TouchedId t : Ids<TouchedId>(touched.faces.size()))
     if (!touched.spared_of(t).empty()) {
       const SheetId s = sheet_of[touched.faces[t].plane];
-      spared_.push_back({node(s, outer_facet(sheets_[s], touched, t)), t});
+      const FacetId facet = outer_facet(sheets_[s], touched, t);
+      spared_.push_back({facet == none ? NodeId(none) : node(s, facet), t});
     }
   std::sort(spared_.begin(), spared_.end(), [](const SparedFace& x, const SparedFace& y) { return x.facet < y.facet; });
 }

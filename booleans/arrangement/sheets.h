@@ -48,7 +48,8 @@ struct SheetLists {
   std::vector<Sheet::Isolated> isolated;
 };
 
-/// A touched face with spared loops, and the facet of its outer loop, in which they lie.
+/// A touched face with spared loops, and the facet of its outer loop, in which they lie; none where a trusted operand
+/// crosses itself there.
 struct SparedFace {
   NodeId facet;
   TouchedId face;

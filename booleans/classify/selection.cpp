@@ -102,12 +102,25 @@ NodeId contradiction(const Arrangement& a, const Cells& cells, const CellValues&
   return none;
 }
 
+/// A facet with spared loops, or the far patch that these lead to, where their labels differ; none where all agree.
+NodeId spared_contradiction(const Arrangement& a, const Cells& cells, const CellValues& values) {
+  for (const auto& [facet, face] : a.sheets.spared()) {
+    const TouchedFace& f = a.touched.faces[face];
+    const NodeId far = a.patches().far[f.operand];
+    if (facet == none || far == none) return facet == none ? far : facet;
+    const SideId outside = f.along ? front_of(facet) : back_of(facet);
+    if (values.sum[cells.of[outside]] != values.sum[cells.of[front_of(far)]]) return facet;
+  }
+  return none;
+}
+
 }  // namespace
 
 Selection select(const Arrangement& a, const Cells& cells, const Expression& expression) {
   Selection selection;
   const CellValues values = evaluate_cells(a, cells, expression);
   if (cells.is_consistent) selection.contradiction = contradiction(a, cells, values);
+  if (selection.contradiction == none) selection.contradiction = spared_contradiction(a, cells, values);
   selection.is_consistent = cells.is_consistent && selection.contradiction == none;
   selection.full_at_infinity = values.is_inside[cells.infinity];
 

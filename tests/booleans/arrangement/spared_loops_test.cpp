@@ -81,14 +81,29 @@ TEST(SparedLoops, ABodyInAPocket) {
   EXPECT_EQ(volume(result), volume(block) - 4 + 1 + 1);
 }
 
+/// A lattice whose axes point anywhere, right-handed.
+struct Axes {
+  std::array<Vector, 3> axis{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+  explicit Axes(Random& random) {
+    if (random.one_in(3)) return;
+    do
+      for (Vector& v : axis) v = random.vector(-9, 9);
+    while (determinant(axis[0], axis[1], axis[2]) <= 0);
+  }
+  Body block(const Vector& low, const Vector& high) const { return *mapped(box(low, high), {0, 0, 0}, axis); }
+};
+
 /// A random plate with pockets and holes that touch or overlap each other, and blocks on it.
 Body worked(Random& random, int steps) {
-  Body body = box({0, 0, 0}, {16, 16, 3});
+  const Axes axes(random);
+  Body body = axes.block({0, 0, 0}, {16, 16, 3});
+  if (random.one_in(4)) body = complement(body);
   for (int i = 0; i < steps; ++i) {
     const std::int64_t x = random.between(0, 14), y = random.between(0, 14);
     const Vector low{x, y, random.between(-1, 2)},
         high{x + random.between(1, 3), y + random.between(1, 3), random.between(3, 5)};
-    const Body tool = box(low, high);
+    const Body tool = axes.block(low, high);
     body = random.one_in(4) ? any(body, tool) : random.one_in(6) ? odd(body, tool) : minus(body, tool);
   }
   return body;
