@@ -9,7 +9,7 @@ using Polygons = decltype(Body::polygons);
 
 Box box_of_loop(const Body& body, std::uint32_t loop) {
   Box box;
-  for (const std::uint32_t v : body.polygons.loop(loop)) box.add_around(body.approximation(v));
+  for (const std::uint32_t v : body.polygons.loop(loop)) body.add_to(box, v);
   return box;
 }
 
@@ -82,8 +82,8 @@ void SparedLoops::choose(const Operands& operands, OperandId operand, std::uint3
   std::vector<Box> outer_edges;
   grid::for_loop_edges(polygons.loop(first + outer), [&](std::uint32_t u, std::uint32_t v) {
     Box& box = outer_edges.emplace_back();
-    box.add_around(body.approximation(u));
-    box.add_around(body.approximation(v));
+    body.add_to(box, u);
+    body.add_to(box, v);
   });
   Box r;
   for (const OperandId o : operands.ids())

@@ -87,8 +87,8 @@ class Collector {
   void add_edge(std::uint32_t u, std::uint32_t v, std::vector<Box>& boxes) const {
     constexpr std::size_t most = 64;
     Box edge;
-    edge.add_around(body_.approximation(u));
-    edge.add_around(body_.approximation(v));
+    body_.add_to(edge, u);
+    body_.add_to(edge, v);
     if (boxes.size() < most)
       boxes.push_back(edge);
     else

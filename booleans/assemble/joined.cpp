@@ -95,8 +95,7 @@ void write_spared(Making& m, TouchedId face, const exact::Plane& plane) {
 /// The box of the corners from one on.
 Box box_of_corners(const Body& body, std::size_t first) {
   Box box;
-  for (std::size_t i = first; i < body.polygons.corners.size(); ++i)
-    box.add_around(body.approximation(body.polygons.corners[i]));
+  for (std::size_t i = first; i < body.polygons.corners.size(); ++i) body.add_to(box, body.polygons.corners[i]);
   return box;
 }
 

@@ -37,12 +37,7 @@ WideBox triangle_box(const Body& body, std::uint32_t t) {
 
 Box polygon_box(const Body& body, std::uint32_t face) {
   Box box;
-  body.for_corners(face, [&](std::uint32_t v) {
-    if (body.is_grid(v))
-      box.add(body.grid_points[v]);
-    else
-      box.add_around(body.derived(v).approximation);
-  });
+  body.for_corners(face, [&](std::uint32_t v) { body.add_to(box, v); });
   return box;
 }
 

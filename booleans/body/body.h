@@ -72,6 +72,13 @@ struct Body {
     const exact::GridPoint& p = grid_points[v];
     return {double(p[0]), double(p[1]), double(p[2])};
   }
+  /// Makes the box hold a vertex, exactly.
+  void add_to(Box& box, std::uint32_t v) const {
+    if (is_grid(v))
+      box.add(grid_points[v]);
+    else
+      box.add_around(derived(v).approximation);
+  }
   /// A polygon's index among the polygons. Precondition: not a raw triangle.
   std::uint32_t polygon(std::uint32_t face) const { return face - static_cast<std::uint32_t>(triangles.size()); }
   std::uint32_t corner_count(std::uint32_t face) const {
