@@ -38,18 +38,23 @@ inline bool is_one_fan(std::span<Spoke> star) {
   return false;
 }
 
+/// visit(v, spoke) for the three corners v of every triangle, three corners each.
+template <class Visit>
+void for_spokes(std::span<const std::uint32_t> corners, Visit&& visit) {
+  for (std::size_t c = 0; c < corners.size(); c += 3)
+    for (std::size_t k = 0; k < 3; ++k)
+      visit(corners[c + k], Spoke{corners[c + (k + 1) % 3], corners[c + (k + 2) % 3]});
+}
+
 /// The spokes of the vertices first .. last - 1, from bucket 0 on; wanted(v) says which have theirs. Triangles are
 /// three corners each.
 template <class Wanted>
 grid::Buckets<Spoke> spokes(std::span<const std::uint32_t> corners, std::size_t first, std::size_t last,
                             Wanted wanted) {
   return grid::Buckets<Spoke>(last - first, [&](auto&& visit) {
-    for (std::size_t c = 0; c < corners.size(); c += 3)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t v = corners[c + k];
-        if (std::size_t{v} - first < last - first && wanted(v))
-          visit(v - first, Spoke{corners[c + (k + 1) % 3], corners[c + (k + 2) % 3]});
-      }
+    for_spokes(corners, [&](std::uint32_t v, const Spoke& s) {
+      if (std::size_t{v} - first < last - first && wanted(v)) visit(v - first, s);
+    });
   });
 }
 

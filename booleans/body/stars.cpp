@@ -22,9 +22,9 @@ std::int64_t cross(const Vector& u, const Vector& v, std::size_t k) {
   return u[i] * v[j] - u[j] * v[i];
 }
 
-/// Bit 2k: seen against +k the triangle turns counter-clockwise; bit 2k + 1: against -k.
-std::uint8_t views(const Body& mesh, const std::array<std::uint32_t, 3>& t) {
-  const auto& p = mesh.grid_points;
+/// Bit 2k: seen against +k the triangle turns counter-clockwise; bit 2k + 1: against -k. 0 only where it has no area.
+std::uint8_t views(const Body& body, const std::array<std::uint32_t, 3>& t) {
+  const auto& p = body.grid_points;
   const Vector u = difference(p[t[1]], p[t[0]]), v = difference(p[t[2]], p[t[0]]);
   unsigned r = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -34,33 +34,99 @@ std::uint8_t views(const Body& mesh, const std::array<std::uint32_t, 3>& t) {
   return static_cast<std::uint8_t>(r);
 }
 
+/// From a grid point to a vertex, times its denominator.
+using WideVector = std::array<exact::Int<exact::Numerator::bits + 1>, 3>;
+
+WideVector wide_difference(const exact::Point& to, const exact::GridPoint& from) {
+  WideVector r;
+  for (std::size_t k = 0; k < 3; ++k) r[k] = to.x[k] - to.w * exact::Coefficient(from[k]);
+  return r;
+}
+
+/// The corner v of a polygon between its next corner a and the one before, b, as a sector that the polygon fills.
+struct Wedge {
+  std::uint32_t v, a, b;
+  std::uint8_t views;                     // as of a triangle (v, a, b)
+  std::array<std::int8_t, 3> to_a, to_b;  // signs of the coordinates of a and b less those of v
+
+  Wedge(const Body& body, std::uint32_t at, std::uint32_t next, std::uint32_t previous)
+      : v(at), a(next), b(previous), views(0) {
+    const WideVector p = wide_difference(body.point(a), body.grid_points[v]),
+                     q = wide_difference(body.point(b), body.grid_points[v]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const int turn = (p[i] * q[j] - p[j] * q[i]).sign();
+      views |= static_cast<std::uint8_t>((turn > 0) << (2 * k) | (turn < 0) << (2 * k + 1));
+      to_a[k] = static_cast<std::int8_t>(p[k].sign());
+      to_b[k] = static_cast<std::int8_t>(q[k].sign());
+    }
+  }
+};
+
+/// The wedges of all polygons at grid points that have triangles, too.
+struct Wedges {
+  std::vector<Wedge> list;
+  /// By vertex: 2 where a polygon has no wedge, since it touches the vertex or has a straight angle there; 1 where a
+  /// wedge ends at a derived point; empty without polygons.
+  std::vector<std::uint8_t> doubt;
+
+  explicit Wedges(const Body& body) {
+    if (body.polygon_count() == 0) return;
+    std::vector<std::uint8_t> has_triangle(body.grid_points.size());
+    for (const auto& t : body.triangles)
+      for (const std::uint32_t v : t) has_triangle[v] = 1;
+
+    doubt.resize(body.grid_points.size());
+    for (std::size_t j = 0; j < body.polygons.loop_count(); ++j) {
+      const auto loop = body.polygons.loop(j);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t v = loop[i];
+        if (!body.is_grid(v) || !has_triangle[v]) continue;
+        const Wedge w(body, v, loop[grid::next_in_loop(i, loop.size())], loop[grid::previous_in_loop(i, loop.size())]);
+        const int open = w.views == 0 ? 2 : body.is_grid(w.a) && body.is_grid(w.b) ? 0 : 1;
+        doubt[v] = static_cast<std::uint8_t>(std::max<int>(doubt[v], open));
+        list.push_back(w);
+      }
+    }
+  }
+  bool are_known(std::uint32_t v) const { return doubt.empty() || doubt[v] < 2; }
+  bool are_between_grid_points(std::uint32_t v) const { return doubt.empty() || doubt[v] < 1; }
+};
+
 /// The stars that are proved embedded along an axis; all others are `other`.
-std::vector<Star> seen_along_axes(const Body& mesh) {
+std::vector<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
   std::vector<std::uint8_t> common(mesh.grid_points.size(), 63);  // views that all triangles of the star allow
   for (const auto& t : mesh.triangles) {
     const std::uint8_t allowed = views(mesh, t);
     for (std::uint32_t v : t) common[v] &= allowed;
   }
+  for (const Wedge& w : wedges.list) common[w.v] &= w.views;
 
   // The ray runs along the axis that follows k: a counter-clockwise triangle (v, a, b) has it in its sector when a is
   // on or below it and b above, in the axis after that.
   std::vector<std::uint8_t> over(mesh.grid_points.size());  // sectors over the ray, at most 2
+  const auto count = [&](std::uint32_t v, std::uint32_t a, std::uint32_t b, auto&& is_below_or_on) {
+    if (common[v] == 0) return;
+    const auto view = static_cast<std::size_t>(std::countr_zero(common[v]));
+    if (view & 1) std::swap(a, b);  // seen from the other side, mirrored
+    const std::size_t up = (view / 2 + 2) % 3;
+    if (is_below_or_on(a, up) && !is_below_or_on(b, up)) over[v] |= static_cast<std::uint8_t>(over[v] + 1);
+  };
+  const auto& p = mesh.grid_points;
   for (const auto& t : mesh.triangles)
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t v = t[c];
-      if (common[v] == 0) continue;
-      const auto view = static_cast<std::size_t>(std::countr_zero(common[v]));
-      const std::size_t up = (view / 2 + 2) % 3;
-      std::uint32_t a = t[(c + 1) % 3], b = t[(c + 2) % 3];
-      if (view & 1) std::swap(a, b);  // seen from the other side, mirrored
-      const std::int32_t at = mesh.grid_points[v].c[up];
-      if (mesh.grid_points[a].c[up] <= at && at < mesh.grid_points[b].c[up])
-        over[v] |= static_cast<std::uint8_t>(over[v] + 1);
+      const exact::GridPoint& at = p[t[c]];
+      count(t[c], t[(c + 1) % 3], t[(c + 2) % 3],
+            [&](std::uint32_t w, std::size_t up) { return p[w].c[up] <= at.c[up]; });
     }
+  for (const Wedge& w : wedges.list)
+    count(w.v, w.a, w.b, [&](std::uint32_t x, std::size_t up) { return (x == w.a ? w.to_a : w.to_b)[up] <= 0; });
 
   std::vector<Star> star_of(mesh.grid_points.size());
-  for (std::size_t v = 0; v < star_of.size(); ++v)
-    star_of[v] = common[v] == 63 || (common[v] != 0 && over[v] == 1) ? Star::embedded : Star::other;
+  for (std::uint32_t v = 0; v < star_of.size(); ++v) {
+    const bool proved = common[v] == 63 || (common[v] != 0 && over[v] == 1);
+    star_of[v] = proved && wedges.are_known(v) ? Star::embedded : Star::other;
+  }
   return star_of;
 }
 
@@ -110,14 +176,22 @@ bool is_fan_against(const Vector& d, const Body& mesh, std::uint32_t v, std::spa
 }
 
 /// What the axes left open.
-void look_at_the_rest(const Body& mesh, std::vector<Star>& star_of) {
+void look_at_the_rest(const Body& mesh, const Wedges& wedges, std::vector<Star>& star_of) {
+  const auto is_wanted = [&](std::uint32_t v) {
+    return star_of[v] == Star::other && wedges.are_between_grid_points(v);
+  };
   std::vector<std::uint32_t> rest;
   for (std::uint32_t v = 0; v < star_of.size(); ++v)
-    if (star_of[v] == Star::other) rest.push_back(v);
+    if (is_wanted(v)) rest.push_back(v);
   if (rest.empty()) return;
 
-  grid::Buckets<Spoke> spokes_of = spokes(grid::corners_of(mesh.triangles), 0, star_of.size(),
-                                          [&](std::uint32_t v) { return star_of[v] == Star::other; });
+  grid::Buckets<Spoke> spokes_of(star_of.size(), [&](auto&& visit) {
+    for_spokes(grid::corners_of(mesh.triangles), [&](std::uint32_t v, const Spoke& s) {
+      if (is_wanted(v)) visit(v, s);
+    });
+    for (const Wedge& w : wedges.list)
+      if (is_wanted(w.v)) visit(w.v, Spoke{w.a, w.b});
+  });
   for (const std::uint32_t v : rest) {
     const std::span<Spoke> star = spokes_of[v];
     if (!is_one_fan(star)) continue;
@@ -128,9 +202,10 @@ void look_at_the_rest(const Body& mesh, std::vector<Star>& star_of) {
 
 }  // namespace
 
-std::vector<Star> stars(const Body& mesh) {
-  std::vector<Star> star_of = seen_along_axes(mesh);
-  look_at_the_rest(mesh, star_of);
+std::vector<Star> stars(const Body& body) {
+  const Wedges wedges(body);
+  std::vector<Star> star_of = seen_along_axes(body, wedges);
+  look_at_the_rest(body, wedges, star_of);
   return star_of;
 }
 

@@ -46,7 +46,7 @@ class NeighbourMask {
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = order[i] < mesh.triangles.size() ? mesh.triangles[order[i]][k] : none;
-        // Other vertices, and those of polygons, get a name that no other face has.
+        // Other vertices, and polygons, get a name that no other face has.
         corners_[i / BoxBlock::width][k][i % BoxBlock::width] =
             v != none && star_of[v] == Star::embedded ? v : none - static_cast<std::uint32_t>(i);
       }
@@ -164,14 +164,6 @@ class Prover {
   std::vector<std::array<std::uint32_t, 2>> corners_;  // (vertex, polygon), sorted
 };
 
-/// The stars of the vertices that have raw triangles only; all others are `other`.
-std::vector<Star> stars_of_triangles(const Body& body) {
-  std::vector<Star> star_of = stars(body);
-  for (const std::uint32_t v : body.polygons.corners)
-    if (body.is_grid(v)) star_of[v] = Star::other;
-  return star_of;
-}
-
 }  // namespace
 
 FacePairs doubtful_pairs(const Body& body) {
@@ -180,7 +172,7 @@ FacePairs doubtful_pairs(const Body& body) {
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
     if (prover.many_corners(f)) found.push_back({FaceId(f), FaceId(f)});
   // Triangles that are proved to meet all others are a group: what they do with polygons is left to see.
-  const std::vector<Star> star_of = stars_of_triangles(body);
+  const std::vector<Star> star_of = stars(body);
   const std::vector<std::uint8_t> proved = proved_in_fans(body, star_of);
   std::vector<BoxTree::Item> items(body.face_count());
   for (std::uint32_t f = 0; f < items.size(); ++f)

@@ -89,6 +89,32 @@ TEST(Stars, TheSecondWay) {
   for (std::uint64_t count : seen) EXPECT_GT(count, 0u);
 }
 
+// Results have polygons at many vertices, also with edges that end at derived points: what is said of the triangles
+// holds whatever the polygons do.
+TEST(Stars, TrianglesAmongPolygons) {
+  std::size_t proved = 0;
+  for (std::uint64_t number = 0; number < case_count(300); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0x57B, number);
+    Solids solids(random, families[number % families.size()]);
+    const Body a = solids.raw(), body = packed(random.one_in(2) ? minus(a, solids.raw()) : any(a, solids.raw()));
+    const std::vector<Star> star_of = stars(body);
+
+    std::vector<int> triangles(body.grid_points.size());
+    std::vector<std::uint8_t> has_polygon(body.grid_points.size());
+    for (const auto& t : body.triangles)
+      for (const std::uint32_t v : t) ++triangles[v];
+    for (const std::uint32_t v : body.polygons.corners)
+      if (body.is_grid(v)) has_polygon[v] = 1;
+    for (std::uint32_t v = 0; v < triangles.size(); ++v) {
+      if (star_of[v] != Star::embedded || triangles[v] < 2) continue;
+      EXPECT_TRUE(meet_properly(body, v)) << "vertex " << v;
+      proved += has_polygon[v];
+    }
+  }
+  EXPECT_GT(proved, case_count(300) / 10);
+}
+
 // A fan that turns counter-clockwise everywhere but goes round twice, closed by triangles to a point far below.
 TEST(Stars, AFanThatWindsTwiceIsNotEmbedded) {
   Body mesh;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "booleans/embedding.h"
 #include "booleans/pairs/own_pairs.h"
 #include "tests/booleans/pairs/fans.h"
 #include "tests/grid/with_thresholds.h"
@@ -123,6 +124,30 @@ TEST(FanProof, FansAreProvedAsAWhole) {
   if (usual_thresholds()) {
     EXPECT_EQ(std::count(proved.begin(), proved.end(), 1), 2 * 498);
   }
+}
+
+// A nick in the rim takes two triangles of a cone of 300 away, and cuts one of their edges: the others are proved as
+// ever.
+TEST(FanProof, AConeWithANick) {
+  constexpr std::uint32_t n = 300;
+  std::vector<Vector> points;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n;
+    points.push_back({std::llround(1e6 * std::cos(turn)), std::llround(1e6 * std::sin(turn)), 0});
+    triangles.push_back({i, (i + 1) % n, n});
+    if (i > 0 && i + 1 < n) triangles.push_back({0, i + 1, i});
+  }
+  points.push_back({0, 0, 1000000});
+  const Body cone = *mesh(points, triangles);
+  const Body nicked = packed(minus(cone, box({990000, -5000, -10}, {1010000, 5000, 3000})));
+
+  const auto proved = proved_in_fans(nicked, stars(nicked));
+  if (usual_thresholds()) {
+    EXPECT_GE(std::count(proved.begin(), proved.end(), 1), n - 4);
+    EXPECT_LT(doubtful_pairs(nicked).size(), 20u);
+  }
+  EXPECT_EQ(embedding_fault(nicked).value_or(""), "");
 }
 
 }  // namespace
