@@ -7,9 +7,9 @@
 namespace quoin::booleans::testing {
 namespace {
 
-/// Every face has a chunk of its own, and every face with holes is large.
+/// The usual ones, but that every face has a chunk of its own, and every face with holes is large.
 grid::Thresholds eager() {
-  grid::Thresholds t = grid::thresholds();
+  grid::Thresholds t;
   t.large_face = 4;
   t.chunk = 1;
   return t;
