@@ -66,9 +66,9 @@ struct Wedge {
 /// The wedges of all polygons at grid points that have triangles, too.
 struct Wedges {
   std::vector<Wedge> list;
-  /// By vertex: 2 where a polygon has no wedge, since it touches the vertex or has a straight angle there; 1 where a
-  /// wedge ends at a derived point; empty without polygons.
-  std::vector<std::uint8_t> doubt;
+  /// By vertex: a wedge ends at a derived point or is none, as where the polygon touches the vertex or has a straight
+  /// angle. Empty without polygons.
+  std::vector<std::uint8_t> is_special;
 
   explicit Wedges(const Body& body) {
     if (body.polygon_count() == 0) return;
@@ -76,21 +76,19 @@ struct Wedges {
     for (const auto& t : body.triangles)
       for (const std::uint32_t v : t) has_triangle[v] = 1;
 
-    doubt.resize(body.grid_points.size());
+    is_special.resize(body.grid_points.size());
     for (std::size_t j = 0; j < body.polygons.loop_count(); ++j) {
       const auto loop = body.polygons.loop(j);
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::uint32_t v = loop[i];
         if (!body.is_grid(v) || !has_triangle[v]) continue;
         const Wedge w(body, v, loop[grid::next_in_loop(i, loop.size())], loop[grid::previous_in_loop(i, loop.size())]);
-        const int open = w.views == 0 ? 2 : body.is_grid(w.a) && body.is_grid(w.b) ? 0 : 1;
-        doubt[v] = static_cast<std::uint8_t>(std::max<int>(doubt[v], open));
+        if (w.views == 0 || !body.is_grid(w.a) || !body.is_grid(w.b)) is_special[v] = 1;
         list.push_back(w);
       }
     }
   }
-  bool are_known(std::uint32_t v) const { return doubt.empty() || doubt[v] < 2; }
-  bool are_between_grid_points(std::uint32_t v) const { return doubt.empty() || doubt[v] < 1; }
+  bool are_plain(std::uint32_t v) const { return is_special.empty() || !is_special[v]; }
 };
 
 /// The stars that are proved embedded along an axis; all others are `other`.
@@ -125,7 +123,7 @@ std::vector<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
   std::vector<Star> star_of(mesh.grid_points.size());
   for (std::uint32_t v = 0; v < star_of.size(); ++v) {
     const bool proved = common[v] == 63 || (common[v] != 0 && over[v] == 1);
-    star_of[v] = proved && wedges.are_known(v) ? Star::embedded : Star::other;
+    star_of[v] = proved ? Star::embedded : Star::other;
   }
   return star_of;
 }
@@ -177,9 +175,7 @@ bool is_fan_against(const Vector& d, const Body& mesh, std::uint32_t v, std::spa
 
 /// What the axes left open.
 void look_at_the_rest(const Body& mesh, const Wedges& wedges, std::vector<Star>& star_of) {
-  const auto is_wanted = [&](std::uint32_t v) {
-    return star_of[v] == Star::other && wedges.are_between_grid_points(v);
-  };
+  const auto is_wanted = [&](std::uint32_t v) { return star_of[v] == Star::other && wedges.are_plain(v); };
   std::vector<std::uint32_t> rest;
   for (std::uint32_t v = 0; v < star_of.size(); ++v)
     if (is_wanted(v)) rest.push_back(v);
