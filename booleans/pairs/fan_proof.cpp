@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "booleans/pairs/box_tree.h"
+#include "booleans/pairs/triangle_pair.h"
 #include "exact/predicates.h"
 #include "grid/lists/loops.h"
 #include "grid/lists/thresholds.h"
@@ -19,8 +21,9 @@ using Edge = std::array<std::uint32_t, 2>;
 struct Fan {
   std::uint32_t hub;
   std::vector<std::uint32_t> triangles;
-  exact::Plane plane;  // not reduced
-  bool flat;           // all lie on the plane; else the outer edges do, and the hub lies above
+  exact::Plane plane;               // not reduced
+  bool flat;                        // all lie on the plane; else the hub lies above the outer edges
+  exact::int128 low = 0, high = 0;  // the least and the greatest value of the plane at the outer edges
 };
 
 exact::Plane plane_of(const Body& mesh, std::uint32_t t) { return mesh.sign_plane(t); }
@@ -122,20 +125,24 @@ bool is_embedded(const Body& mesh, const Fan& flat) {
   return true;
 }
 
-/// The star with the plane of its outer edges below it, if they lie on one and the hub does not.
+/// The star above a plane through three of its outer corners, if the hub lies higher than all outer edges.
 std::optional<Fan> cone(const Body& mesh, const Fan& star) {
   const auto outer = [&](std::size_t i) -> const exact::GridPoint& {
     return mesh.grid_points[outer_edge(mesh, star.triangles[i], star.hub)[0]];
   };
   const std::size_t n = star.triangles.size();
+  const exact::GridPoint& hub = mesh.grid_points[star.hub];
   Fan r = star;
   r.plane = exact::spanned_plane(outer(0), outer(n / 3), outer(2 * n / 3));
-  const int hub = exact::side(r.plane, mesh.grid_points[star.hub]);
-  if (hub == 0) return std::nullopt;
+  if (exact::side(r.plane, hub) < 0) r.plane = r.plane.opposite();
 
-  if (hub < 0) r.plane = r.plane.opposite();
-  for (std::size_t i = 0; i < n; ++i)
-    if (exact::side(r.plane, outer(i)) != 0) return std::nullopt;
+  for (const std::uint32_t t : star.triangles)
+    for (const std::uint32_t v : outer_edge(mesh, t, star.hub)) {
+      const exact::int128 value = exact::value(r.plane, mesh.grid_points[v]);
+      r.low = std::min(r.low, value);
+      r.high = std::max(r.high, value);
+    }
+  if (exact::value(r.plane, hub) <= r.high) return std::nullopt;
   return r;
 }
 
@@ -154,10 +161,10 @@ std::vector<Fan> large_fans(const Body& mesh, const std::vector<Star>& star_of) 
   return fans;
 }
 
-/// A fan to be compared with other triangles.
-class FanSide {
+/// A flat fan to be compared with other triangles.
+class FlatSide {
  public:
-  FanSide(const Body& mesh, const Fan& fan) : mesh_(mesh), fan_(fan), box_(mesh.grid_points[fan.hub]) {
+  FlatSide(const Body& mesh, const Fan& fan) : mesh_(mesh), fan_(fan), box_(mesh.grid_points[fan.hub]) {
     for (const std::uint32_t t : fan.triangles) {
       const Edge e = outer_edge(mesh, t, fan.hub);
       edges_.push_back(e);
@@ -187,7 +194,7 @@ class FanSide {
       below = below || side < 0;
       if (side == 0) on_plane[count++] = v;
     }
-    if (above && (below || !fan_.flat)) return false;
+    if (above && below) return false;
     switch (count) {
       case 0:
         return true;
@@ -202,11 +209,11 @@ class FanSide {
 
  private:
   bool has_corner(std::uint32_t v) const {
-    return (fan_.flat && v == fan_.hub) || std::binary_search(vertices_.begin(), vertices_.end(), v);
+    return v == fan_.hub || std::binary_search(vertices_.begin(), vertices_.end(), v);
   }
   bool has_edge(std::uint32_t u, std::uint32_t v) const {
-    if (fan_.flat && u == fan_.hub) return has_corner(v);
-    if (fan_.flat && v == fan_.hub) return has_corner(u);
+    if (u == fan_.hub) return has_corner(v);
+    if (v == fan_.hub) return has_corner(u);
     return std::binary_search(edges_.begin(), edges_.end(), Edge{u, v}) ||
            std::binary_search(edges_.begin(), edges_.end(), Edge{v, u});
   }
@@ -218,22 +225,91 @@ class FanSide {
   std::vector<std::uint32_t> vertices_;  // without the hub
 };
 
+/// A triangle with the values of a plane at its corners.
+struct Leveled {
+  std::array<exact::GridPoint, 3> corner;
+  std::array<exact::int128, 3> value;
+
+  Leveled(const Body& mesh, const exact::Plane& plane, std::uint32_t t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = mesh.grid_points[mesh.triangles[t][i]];
+      value[i] = exact::value(plane, corner[i]);
+    }
+  }
+  exact::int128 greatest() const { return std::max({value[0], value[1], value[2]}); }
+
+  /// Holds what lies between two levels. Values are below 2^93 and coordinates differ by at most 2^30.
+  Box between(exact::int128 low, exact::int128 high) const {
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (low <= value[i] && value[i] <= high) box.add(corner[i]);
+      for (const exact::int128 level : {low, high}) add_crossing(i, grid::next_in_loop(i, std::size_t{3}), level, box);
+    }
+    return box;
+  }
+
+ private:
+  /// Where an edge passes a level.
+  void add_crossing(std::size_t i, std::size_t j, exact::int128 level, Box& box) const {
+    if ((value[i] < level) == (value[j] < level)) return;
+    const exact::int128 length = value[j] - value[i], part = level - value[i];
+    exact::GridPoint lower{}, upper{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const exact::int128 along = (std::int64_t{corner[j].c[k]} - corner[i].c[k]) * part;
+      // Truncated; a step more on either side holds the quotient.
+      const auto step = static_cast<std::int32_t>(along / length);
+      lower.c[k] = corner[i].c[k] + step - 1;
+      upper.c[k] = corner[i].c[k] + step + 1;
+    }
+    box.add(lower);
+    box.add(upper);
+  }
+};
+
+/// Do all triangles of a cone meet all others as they should? What lies higher than its outer edges somewhere is not
+/// looked at: false. The others meet the cone between the levels of these edges only, where little is left of either.
+bool is_proper(const Body& mesh, const Fan& cone, const std::vector<std::uint8_t>& own_or_proved) {
+  constexpr std::uint32_t own = 0, other = 1;
+  std::vector<BoxTree::Item> items;
+  Box all;
+  for (const std::uint32_t t : cone.triangles) {
+    items.push_back({Leveled(mesh, cone.plane, t).between(cone.low, cone.high), t, own});
+    all.add(face_box(mesh, t));
+  }
+
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (own_or_proved[t] || !face_box(mesh, t).meets(all)) continue;
+    const Leveled triangle(mesh, cone.plane, t);
+    if (triangle.greatest() < cone.low) continue;
+    if (triangle.greatest() > cone.high) return false;
+    items.push_back({triangle.between(cone.low, cone.high), t, other});
+  }
+
+  bool proper = true;
+  BoxTree(items).pairs([&](std::uint32_t s, std::uint32_t t) { proper = proper && !meet_out_of_place(mesh, s, t); },
+                       BoxTree::Pairs::foreign);
+  return proper;
+}
+
+bool is_proper_flat(const Body& mesh, const Fan& flat, const std::vector<std::uint8_t>& own_or_proved) {
+  const FlatSide side(mesh, flat);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!own_or_proved[t] && !side.meets_properly(t)) return false;
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> proved_in_fans(const Body& mesh, const std::vector<Star>& star_of) {
   const std::vector<Fan> fans = large_fans(mesh, star_of);
   if (fans.empty()) return {};
 
-  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-  std::vector<std::uint8_t> proved(count);
+  std::vector<std::uint8_t> proved(mesh.triangles.size());
   for (const Fan& fan : fans) {
     std::vector<std::uint8_t> own_or_proved = proved;
     for (const std::uint32_t t : fan.triangles) own_or_proved[t] = 1;
 
-    const FanSide side(mesh, fan);
-    std::uint32_t t = 0;
-    while (t < count && (own_or_proved[t] || side.meets_properly(t))) ++t;
-    if (t == count)
+    if (fan.flat ? is_proper_flat(mesh, fan, own_or_proved) : is_proper(mesh, fan, own_or_proved))
       for (const std::uint32_t own : fan.triangles) proved[own] = 1;
   }
   return proved;

@@ -11,33 +11,6 @@
 namespace quoin::booleans {
 namespace {
 
-/// Do two triangles of one mesh meet anywhere but in a common corner or edge, or overlap across one?
-bool improper(const Body& mesh, std::uint32_t s, std::uint32_t t) {
-  const GridTriangle p = triangle(mesh, s), q = triangle(mesh, t);
-  const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
-  std::array<std::size_t, 3> shared_a{}, shared_b{};
-  std::size_t shared = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (a[i] == b[j]) shared_a[shared] = i, shared_b[shared++] = j;
-  if (shared == 3) return true;
-  if (shared == 2) {
-    // Coplanar with both third corners on one side of the common edge: an overlap.
-    const std::size_t i = 3 - shared_a[0] - shared_a[1], j = 3 - shared_b[0] - shared_b[1];
-    if (exact::orientation(p[0], p[1], p[2], q[j]) != 0) return false;
-    const auto n = exact::plane_through(p[0], p[1], p[2]),
-               m = exact::plane_through(p[shared_a[0]], p[shared_a[1]], q[j]);
-    const auto own = exact::plane_through(p[shared_a[0]], p[shared_a[1]], p[i]);
-    return n && m && own && exact::dot_sign(*m, *own) > 0;
-  }
-  if (shared == 1) {
-    // What they share besides the corner reaches the opposite side of one of them.
-    const std::size_t i = shared_a[0], j = shared_b[0];
-    return meet(p[(i + 1) % 3], p[(i + 2) % 3], q) || meet(q[(j + 1) % 3], q[(j + 2) % 3], p);
-  }
-  return meet(p, q);
-}
-
 /// Triangles that share a vertex whose star is embedded meet as they should: nearly all pairs are of this kind.
 class NeighbourMask {
  public:
@@ -94,7 +67,7 @@ FacePairs improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
   const OwnFaces own(mesh, items);
   const NeighbourMask neighbours(mesh, star_of, own.tree.ids());
   const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
-    return improper(mesh, own.faces[i].face, own.faces[j].face);
+    return meet_out_of_place(mesh, own.faces[i].face, own.faces[j].face);
   };
   return PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
 }

@@ -23,4 +23,7 @@ bool meet(const exact::GridPoint& p, const exact::GridPoint& q, const GridTriang
 /// Source: P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
 bool meet(const GridTriangle& p, const GridTriangle& q);
 
+/// Do two raw triangles of a body meet anywhere but in a common corner or edge, or overlap across one?
+bool meet_out_of_place(const Body& mesh, std::uint32_t s, std::uint32_t t);
+
 }  // namespace quoin::booleans

@@ -56,10 +56,10 @@ TEST(FanProof, APyramidAndATetrahedron) {
       {"tip in the hub of the base", {{{0, 0, 0}, {-10, -10, -100}, {10, -10, -100}, {0, 10, -100}}}, 30},
       {"tip in another corner", {{{50, 250, 0}, {40, 240, -100}, {60, 240, -100}, {50, 260, -100}}}, 30},
       {"edge on an edge", {{{50, 250, 0}, {60, 360, 0}, {50, 300, -100}, {70, 300, -100}}}, 30},
-      {"edge on an inner edge of the base", {{{0, 0, 0}, {60, 360, 0}, {20, 200, -100}, {50, 200, -100}}}, 14},
-      {"tip within the base", {{{75, 750, 0}, {70, 740, -100}, {80, 740, -100}, {75, 760, -100}}}, 0},
-      {"edge within the base", {{{75, 750, 0}, {80, 800, 0}, {70, 750, -100}, {80, 790, -100}}}, 0},
-      {"face within the base", {{{70, 740, 0}, {80, 740, 0}, {75, 750, 0}, {75, 745, -100}}}, 0},
+      {"edge on an inner edge of the base", {{{0, 0, 0}, {60, 360, 0}, {20, 200, -100}, {50, 200, -100}}}, 30},
+      {"tip within the base", {{{75, 750, 0}, {70, 740, -100}, {80, 740, -100}, {75, 760, -100}}}, 16},
+      {"edge within the base", {{{75, 750, 0}, {80, 800, 0}, {70, 750, -100}, {80, 790, -100}}}, 16},
+      {"face within the base", {{{70, 740, 0}, {80, 740, 0}, {75, 750, 0}, {75, 745, -100}}}, 16},
       {"through the base", {{{75, 750, 10}, {70, 740, -100}, {80, 740, -100}, {75, 760, -100}}}, 0},
       {"through the sides", {{{75, 750, 100}, {400, 740, 110}, {400, 760, 110}, {400, 750, 90}}}, 14},
       {"within", {{{75, 750, 100}, {70, 740, 110}, {70, 760, 110}, {75, 750, 120}}}, 14},
@@ -122,7 +122,37 @@ TEST(FanProof, FansAreProvedAsAWhole) {
   const Body prism = extruded(circle, 0, 1000);
   const auto proved = proved_in_fans(prism, stars(prism));
   if (usual_thresholds()) {
-    EXPECT_EQ(std::count(proved.begin(), proved.end(), 1), 2 * 498);
+    EXPECT_GE(std::count(proved.begin(), proved.end(), 1), 2 * 498);
+  }
+}
+
+// Two apices over a rim that zigzags: each fan meets the other near the rim only, whatever the boxes of its triangles
+// say. With a tooth that reaches through the other fan only that one is not proved.
+TEST(FanProof, ARimThatZigzags) {
+  constexpr std::uint32_t n = 400;
+  for (const std::int64_t tooth : {0, 600000}) {
+    std::vector<Vector> points;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double turn = 2 * std::numbers::pi * i / n;
+      points.push_back({std::llround(1e6 * std::cos(turn)), std::llround(1e6 * std::sin(turn)), i % 2 == 0 ? 50 : 0});
+      triangles.push_back({i, (i + 1) % n, n});
+      triangles.push_back({(i + 1) % n, i, n + 1});
+    }
+    points.push_back({0, 0, 1000000});
+    points.push_back({1000, 0, -1000000});
+    std::vector<Body> parts{*mesh(points, triangles)};
+    if (tooth != 0)
+      parts.push_back(*tetrahedron(
+          {{{-600000, 0, 2000000}, {-tooth, 3, -100000}, {-tooth, -3, -100000}, {-tooth - 3, 0, -100000}}}));
+    const Body both = merged(parts);
+
+    const auto proved = proved_in_fans(both, stars(both));
+    if (proved.empty()) continue;
+    for (const auto& [s, t] : improper_by_pairs(both)) EXPECT_FALSE(proved[s.value] || proved[t.value]);
+    if (tooth == 0 && usual_thresholds()) {
+      EXPECT_EQ(std::count(proved.begin(), proved.end(), 1), 2 * n);
+    }
   }
 }
 
