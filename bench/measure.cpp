@@ -158,8 +158,9 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
   const auto middle = s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2);
   if (w.operation == Operation::unite)
     return {"volumes add up", volumes_add_up(result, 'u', all_of({s.begin(), middle}), all_of({middle, s.end()}))};
-  return {"64 walls a hole and 6 faces, volumes add up",
-          result.info().faces == 64 * (s.size() - 1) + 6 &&
+  const std::size_t walls = w.name == "drill" ? 24 : 64;
+  return {std::to_string(walls) + " walls a hole and 6 faces, volumes add up",
+          result.info().faces == walls * (s.size() - 1) + 6 &&
               volumes_add_up(result, 'd', s[0], all_of({s.begin() + 1, s.end()}))};
 }
 

@@ -130,9 +130,10 @@ Body packed(const Body& body) {
 void drop_gone_loops(Body& body) {
   const auto raw = static_cast<std::uint32_t>(body.triangles.size());
   const std::size_t corners = body.polygons.corners.size() - body.gone_corners;
-  // Room for as much again: results that share these lists add to them before the next time.
+  // Room for more than as much again: results that share these lists add to them before the next time. Room that is not
+  // used costs no memory.
   decltype(body.polygons) left;
-  left.reserve(body.polygon_count(), body.polygons.loop_count(), 2 * corners);
+  left.reserve(body.polygon_count() + body.polygon_count() / 2, 2 * body.polygons.loop_count(), 3 * corners);
 
   std::uint32_t next = 0;
   const auto skip_to = [&](std::uint32_t polygon) {
