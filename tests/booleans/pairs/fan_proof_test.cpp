@@ -88,6 +88,11 @@ TEST(FanProof, AFlatFanThatOverlapsItself) {
   };
   EXPECT_EQ(proved(once), exact::checked ? 3 : 0);
   EXPECT_EQ(proved(twice), 0);
+
+  // A triangle on its plane, of its outer edges: both cover the same.
+  std::vector<Triangle> covered = once;
+  covered.push_back({3, 2, 1});
+  EXPECT_EQ(proved(covered), 0);
 }
 
 // What pierces a cone above its base is on one side of the base, and so is what passes by.
@@ -153,6 +158,30 @@ TEST(FanProof, ARimThatZigzags) {
     if (tooth == 0 && usual_thresholds()) {
       EXPECT_EQ(std::count(proved.begin(), proved.end(), 1), 2 * n);
     }
+  }
+}
+
+// The tip of a long tooth of the rim comes through a triangle of which one corner lies higher than that tip, and which
+// the tooth passes far from the edges.
+TEST(FanProof, AToothThroughATriangle) {
+  const WithThresholds all(grid::testing::with(&grid::Thresholds::large_fan, std::size_t{0}));
+  const std::vector<Vector> points{{500, -500, 0}, {3000, 0, -300}, {500, 500, 0}, {-400, 600, 0},
+                                   {-1000, 0, 0},  {-400, -600, 0}, {0, 0, 1000},  {0, 0, -1000}};
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    triangles.push_back({i, (i + 1) % 6, 6});
+    triangles.push_back({(i + 1) % 6, i, 7});
+  }
+  for (const std::int64_t side : {1, -1}) {
+    const auto wall = tetrahedron({{{2500, side * 700, 0},
+                                    {2500, side * -30000, -1000},
+                                    {2500, side * 700, -1000},
+                                    {20000, side * -5000, -5000}}});
+    const Body both = merged(std::vector<Body>{*mesh(points, triangles), *wall});
+    const auto improper = improper_by_pairs(both);
+    EXPECT_FALSE(improper.empty());
+    const auto proved = proved_in_fans(both, stars(both));
+    for (const auto& [a, b] : improper) EXPECT_FALSE(!proved.empty() && (proved[a.value] || proved[b.value]));
   }
 }
 

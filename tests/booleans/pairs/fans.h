@@ -60,10 +60,12 @@ inline std::vector<std::array<std::int64_t, 2>> ring(Random& random, std::int64_
   return r;
 }
 
-/// A solid with two apices over a ring, or with a flat fan instead of one; a few points are moved.
+/// A solid with two apices over a ring, or with a flat fan instead of one; a few points are moved, or all, up and down.
 inline std::optional<Body> pointed(Random& random, std::int64_t size) {
   std::vector<Vector> points;
-  for (const auto& p : ring(random, size)) points.push_back({p[0], p[1], random.one_in(40) ? 1 : 0});
+  const std::int64_t height = random.one_in(3) ? size / 2 : 0;
+  for (const auto& p : ring(random, size))
+    points.push_back({p[0], p[1], random.one_in(40) ? 1 : random.between(-height, height)});
   const auto n = static_cast<std::uint32_t>(points.size());
   points.push_back({0, 0, size});
   points.push_back({random.between(-2, 2), 0, random.one_in(6) ? size / 2 : -size});
