@@ -28,6 +28,11 @@ Solid combine(const std::string& operation, const std::vector<Solid>& s, Evaluat
   if (operation == "union") return evaluate(Expression::unite(all));
   if (operation == "intersection") return evaluate(Expression::intersect(all));
   if (operation == "difference") return evaluate(all[0] - Expression::unite(rest));
+  if (operation == "parts") {
+    std::vector<Expression> parts;
+    for (std::size_t i = 0; i + 1 < s.size(); i += 2) parts.push_back(all[i] - all[i + 1]);
+    return evaluate(Expression::unite(parts));
+  }
   Solid result = s[0];
   for (const Expression& next : rest) result = evaluate(operation == "unions" ? result + next : result - next);
   return result;

@@ -154,6 +154,11 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
   }
   if (w.operation == Operation::subtract_each)
     return {"volumes of the last operation add up", volumes_add_up(result, 'd', before, s.back())};
+  if (w.operation == Operation::unite_differences) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < s.size(); i += 2) sum += volume(Expression(s[i]) - s[i + 1]);
+    return {"the sum of the parts", volume(result) == sum};
+  }
   if (s.size() == 2) return law_of_two(w, s, result);
   const auto middle = s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2);
   if (w.operation == Operation::unite)

@@ -2,7 +2,7 @@
 /// What all programs that bench/compare runs have in common: they read the operands of a workload from a folder, go
 /// from arrays to arrays, and print what it took as one line of JSON.
 ///
-/// usage: PROGRAM FOLDER THREADS
+/// usage: PROGRAM FOLDER THREADS [ROUNDS]
 /// FOLDER holds `operation` (the word of bench::name(Operation)), `step` and 0.off, 1.off, ..
 #pragma once
 
@@ -43,7 +43,11 @@ inline Task read_task(const std::string& folder, const char* threads) {
   }
 }
 
-inline double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+inline double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
 
 inline double wall_seconds() {
   timespec t{};
@@ -96,34 +100,66 @@ Solid combine_pairwise(const Task& task, std::vector<Solid>& solids, Op op) {
     Solid rest = tree(std::move(solids), 'u');
     return op(first, rest, 'd');
   }
+  if (task.operation == "parts") {
+    std::vector<Solid> parts;
+    for (std::size_t i = 0; i + 1 < solids.size(); i += 2) parts.push_back(op(solids[i], solids[i + 1], 'd'));
+    return tree(std::move(parts), 'u');
+  }
   Solid result = std::move(solids[0]);
   for (std::size_t i = 1; i < solids.size(); ++i)
     result = op(result, solids[i], task.operation == "unions" ? 'u' : 'd');
   return result;
 }
 
-/// Solids solids = import(task); Solid result = combine(task, solids); Mesh mesh = to_mesh(result).
+/// CPU seconds of import, operation and export, summed over the rounds.
+struct Spent {
+  double import = 0, boolean = 0, output = 0;
+};
+
+/// One round, from arrays to arrays.
 template <class Import, class Combine, class ToMesh>
-int run_peer(int argc, char** argv, Import import, Combine combine, ToMesh to_mesh) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: %s FOLDER THREADS\n", argv[0]);
-    return 2;
-  }
-  const Task task = read_task(argv[1], argv[2]);
-  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins here
-  const long before = memory("VmRSS");
-  const double wall = wall_seconds(), t0 = cpu_seconds();
+Mesh run_round(const Task& task, Import& import, Combine& combine, ToMesh& to_mesh, Spent& spent) {
+  const double t0 = cpu_seconds();
   auto solids = import(task);
   const double t1 = cpu_seconds();
   auto result = combine(task, solids);
   const double t2 = cpu_seconds();
-  const Mesh mesh = to_mesh(result);
-  const double t3 = cpu_seconds(), wall_end = wall_seconds();
+  Mesh mesh = to_mesh(result);
+  const double t3 = cpu_seconds();
+
+  spent.import += t1 - t0;
+  spent.boolean += t2 - t1;
+  spent.output += t3 - t2;
+  return mesh;
+}
+
+/// Solids solids = import(task); Solid result = combine(task, solids); Mesh mesh = to_mesh(result).
+/// Prints seconds a round; a warm-up is not counted where there is more than one round.
+template <class Import, class Combine, class ToMesh>
+int run_peer(int argc, char** argv, Import import, Combine combine, ToMesh to_mesh) {
+  if (argc != 3 && argc != 4) {
+    std::fprintf(stderr, "usage: %s FOLDER THREADS [ROUNDS]\n", argv[0]);
+    return 2;
+  }
+  const Task task = read_task(argv[1], argv[2]);
+  const unsigned long rounds = argc == 4 ? std::strtoul(argv[3], nullptr, 10) : 1;
+  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins here
+  const long before = memory("VmRSS");
+  const double wall = wall_seconds();
+
+  Spent spent;
+  Mesh mesh = run_round(task, import, combine, to_mesh, spent);
+  if (rounds > 1) spent = {};
+  for (unsigned long i = 1; i < rounds; ++i) mesh = run_round(task, import, combine, to_mesh, spent);
+
+  const double counted = rounds > 1 ? double(rounds - 1) : 1, wall_end = wall_seconds();
+  const double total = spent.import + spent.boolean + spent.output;
   const auto output = static_cast<long>(8 * mesh.points.size() + 4 * mesh.triangles.size());
   std::printf(
-      "{\"import\": %.6f, \"boolean\": %.6f, \"export\": %.6f, \"total\": %.6f, \"wall\": %.6f, \"extra_bytes\": %ld, "
+      "{\"import\": %.9f, \"boolean\": %.9f, \"export\": %.9f, \"total\": %.9f, \"wall\": %.6f, \"extra_bytes\": %ld, "
       "\"vertices\": %zu, \"triangles\": %zu, \"volume\": %.12g}\n",
-      t1 - t0, t2 - t1, t3 - t2, t3 - t0, wall_end - wall, memory("VmHWM") - before - output, mesh.points.size() / 3,
+      spent.import / counted, spent.boolean / counted, spent.output / counted, total / counted,
+      (wall_end - wall) / double(rounds), memory("VmHWM") - before - output, mesh.points.size() / 3,
       mesh.triangles.size() / 3, volume(mesh));
   return 0;
 }

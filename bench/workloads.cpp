@@ -26,6 +26,21 @@ std::vector<Mesh> bumpy(std::size_t n) {
   return {examples::bumpy_sphere({0, 0, 0}, 1, n, 1), examples::bumpy_sphere({0, 0, 0}, 1, n, 2)};
 }
 
+/// Two spheres in one place, every vertex at a random distance from the centre: nearly all triangles cross others.
+std::vector<Mesh> noisy(std::size_t n) {
+  std::vector<Mesh> two;
+  for (const std::uint64_t seed : {1, 2}) {
+    examples::Random random(seed);
+    Mesh mesh = sphere(n, 0);
+    for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+      const double radius = random.between(0.96, 1.04);
+      for (std::size_t k = 0; k < 3; ++k) mesh.points[i + k] *= radius;
+    }
+    two.push_back(std::move(mesh));
+  }
+  return two;
+}
+
 std::vector<Mesh> cubes(std::size_t n) { return examples::cube_grid(static_cast<std::uint32_t>(n), 1.0); }
 
 std::vector<Mesh> with_first(Mesh first, std::vector<Mesh> rest) {
@@ -64,6 +79,26 @@ std::vector<Mesh> chain(std::size_t length) {
   return all;
 }
 
+/// Parts in a row, each a box followed by the drill through it.
+std::vector<Mesh> parts(std::size_t n) {
+  std::vector<Mesh> all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = 2 * double(i % 32), y = 2 * double(i / 32);
+    all.push_back(examples::box({x, y, 0}, {x + 1, y + 1, 1}));
+    all.push_back(examples::cylinder({x + 0.5, y + 0.5, -1}, {x + 0.5, y + 0.5, 2}, 0.3, 32));
+  }
+  return all;
+}
+
+std::vector<Mesh> two_boxes(std::size_t) {
+  return {examples::box({0, 0, 0}, {1, 1, 1}), examples::box({0.25, 0.25, 0.25}, {1.5, 1.5, 1.5})};
+}
+std::vector<Mesh> bored_box(std::size_t sides) {
+  return {examples::box({0, 0, 0}, {1, 1, 1}),
+          examples::cylinder({0.5, 0.5, -1}, {0.5, 0.5, 2}, 0.3, static_cast<std::uint32_t>(sides))};
+}
+std::vector<Mesh> two_small_spheres(std::size_t n) { return {sphere(n, 0), sphere(n, 0.7)}; }
+
 /// Rotated by 7 degrees about (1, 2, 3).
 Mesh turned(Mesh mesh) {
   const double length = std::sqrt(14.0), angle = 7 * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
@@ -77,6 +112,17 @@ Mesh turned(Mesh mesh) {
     }
   }
   return mesh;
+}
+
+/// (A - B) u (A n B), where the parts share the surface of B within A; printed as its two operands.
+std::vector<Mesh> cut_apart(std::size_t n) {
+  const auto around = static_cast<std::uint32_t>(std::lround(std::sqrt(double(n) / 80)));
+  ImportOptions options;
+  options.grid = must(Grid::with_step("1/65536"));
+  const auto import = [&](const Mesh& m) { return must(Solid::from_triangles(m.points, m.triangles, options)); };
+  const Expression a = import(examples::box({-60, -60, -30}, {60, 60, 30}));
+  const Expression b = import(examples::torus_knot({0, 0, 0}, {2, 9, 26, 11.5, 4}, 40 * around, around));
+  return {must(must(evaluate(a - b)).to_triangles()), must(must(evaluate(a & b)).to_triangles())};
 }
 
 std::vector<Mesh> against_itself(const Mesh& mesh) { return {mesh, turned(mesh)}; }
@@ -132,7 +178,7 @@ std::vector<Mesh> skinny(std::size_t n) {
 }  // namespace
 
 const char* name(Operation operation) {
-  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences"};
+  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences", "parts"};
   return names[static_cast<std::size_t>(operation)];
 }
 
@@ -146,6 +192,7 @@ const std::vector<Workload>& workloads() {
       {"spheres-difference", "triangles each", 1000000, subtract, fine, spheres},
       {"local-edit", "triangles of the larger", 1000000, subtract, fine, local_edit},
       {"bumpy", "triangles each", 500000, unite, fine, bumpy},
+      {"noisy", "triangles each", 100000, unite, fine, noisy},
       {"knot", "triangles each", 200000, unite, coarse, knot},
       {"gear", "triangles each", 6000, unite, fine, gear},
       {"housing", "triangles of the body", 150000, unite, "1/1048576", housing},
@@ -158,6 +205,11 @@ const std::vector<Workload>& workloads() {
       {"cloud", "spheres", 1000, unite, fine, cloud},
       {"needles", "prisms", 150, unite, fine, needles},
       {"chain", "operations", 1000, subtract_each, fine, chain},
+      {"parts", "boxes with a hole", 1000, unite_differences, coarse, parts},
+      {"reunion", "triangles of the knot", 200000, unite, coarse, cut_apart},
+      {"boxes", "-", 1, subtract, coarse, two_boxes},
+      {"bored-box", "sides", 100, subtract, coarse, bored_box},
+      {"balls", "triangles each", 320, unite, fine, two_small_spheres},
       {"skinny", "skinny triangles each", 15000, unite, fine, skinny},
   };
   return all;

@@ -11,14 +11,15 @@
 namespace quoin::bench {
 
 enum class Operation {
-  unite,          // all operands in one union
-  intersect,      // all operands in one intersection
-  subtract,       // the first without all others, in one operation
-  unite_each,     // one union after the other, each result an operand of the next
-  subtract_each,  // one difference after the other
+  unite,              // all operands in one union
+  intersect,          // all operands in one intersection
+  subtract,           // the first without all others, in one operation
+  unite_each,         // one union after the other, each result an operand of the next
+  subtract_each,      // one difference after the other
+  unite_differences,  // the union of each operand without the one after it
 };
 
-/// "union", "intersection", "difference", "unions", "differences".
+/// "union", "intersection", "difference", "unions", "differences", "parts".
 const char* name(Operation operation);
 
 struct Workload {
