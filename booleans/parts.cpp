@@ -47,7 +47,7 @@ void sort_in_space(std::span<Member> members) {
 /// Do the boxes of more pairs meet than Thresholds::neighbours a member?
 bool is_crowded(const std::vector<Member>& members) {
   const std::size_t most = (2 * grid::thresholds().neighbours + 1) * members.size();  // each itself, each pair twice
-  std::vector<BoxTree::Item> items;
+  Array<BoxTree::Item> items;
   for (std::uint32_t i = 0; i < members.size(); ++i) items.push_back({members[i].box, i, i});
   const BoxTree tree(items);
   std::size_t met = 0;
@@ -55,6 +55,25 @@ bool is_crowded(const std::vector<Member>& members) {
     tree.meeting(members[i].box, [&](std::uint32_t) { ++met; });
   return met > most;
 }
+
+/// What is still to be evaluated.
+struct Task {
+  std::vector<const Body*> operands;
+  Expression expression;
+
+  bool is_leaf(std::uint32_t node) const { return expression.nodes[node].rule == Rule::operand; }
+};
+
+/// A piece of the expression that is evaluated by itself and becomes one leaf.
+struct Part {
+  std::uint32_t place;                 // the node that becomes that leaf
+  std::vector<std::uint32_t> covered;  // the other nodes of the piece
+  bool negated;                        // the leaf's
+
+  Task task = {};
+  Body result = {};
+  std::optional<Error> error = {};
+};
 
 /// What the negation of a leaf does to a group of such leaves: any(not a, not b) = not all(a, b), and odd(not a, not b)
 /// = odd(a, b), negated when the leaves are odd in number.
@@ -66,16 +85,133 @@ bool is_group_negated(Rule rule, bool negated, std::size_t size) {
   return negated && (rule != Rule::odd || size % 2 == 1);
 }
 
+/// Groups of leaves of one node that crowd each other.
+std::vector<Part> crowded_groups(const Task& task) {
+  const auto& nodes = task.expression.nodes;
+  std::map<std::pair<std::uint32_t, bool>, std::vector<Member>> like;  // by node and negation
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (!task.is_leaf(i) || nodes[i].parent == none) continue;
+    if (const auto box = bounds(*task.operands[nodes[i].operand]))
+      like[{nodes[i].parent, nodes[i].negated}].push_back({i, *box});
+  }
+
+  std::vector<Part> groups;
+  for (auto& [key, members] : like) {
+    if (members.size() <= group_size() || !is_crowded(members)) continue;
+    sort_in_space(members);
+    const auto [node, negated] = key;
+    const Rule rule = nodes[node].rule;
+
+    for (std::size_t i = 0; i + 1 < members.size(); i += group_size()) {  // a last one alone waits for the next round
+      const std::size_t size = std::min(members.size() - i, group_size());
+      Part& group = groups.emplace_back(Part{members[i].leaf, {}, is_group_negated(rule, negated, size)});
+      for (std::size_t j = i; j < i + size; ++j) {
+        if (j > i) group.covered.push_back(members[j].leaf);
+        group.task.operands.push_back(task.operands[nodes[members[j].leaf].operand]);
+      }
+      group.task.expression = Expression::flat(group_rule(rule, negated), static_cast<std::uint32_t>(size));
+    }
+  }
+  return groups;
+}
+
+/// The value of an expression far from everything.
+bool value_at_infinity(const Task& task) {
+  Evaluator value(task.expression, static_cast<std::uint32_t>(task.operands.size()));
+  for (std::uint32_t i = 0; i < task.operands.size(); ++i) value.add(i, task.operands[i]->full_at_infinity);
+  return value.value();
+}
+
+/// By node: the root of the largest small subtree that it belongs to, none outside of all, or if the whole is small.
+std::vector<std::uint32_t> small_subtrees(const Task& task) {
+  const auto& nodes = task.expression.nodes;
+  const auto count = static_cast<std::uint32_t>(nodes.size());
+  std::vector<std::uint32_t> leaves(count), top(count, none);
+  for (std::uint32_t i = count; i-- > 0;) {
+    leaves[i] += task.is_leaf(i);
+    if (i > 0) leaves[nodes[i].parent] += leaves[i];
+  }
+  const std::size_t small = grid::thresholds().subtree;
+  if (leaves[0] <= small) return top;
+
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const std::uint32_t parent = nodes[i].parent;
+    if (top[parent] != none)
+      top[i] = top[parent];
+    else if (!task.is_leaf(i) && leaves[i] > 1 && leaves[i] <= small)
+      top[i] = i;
+  }
+  return top;
+}
+
+/// The small subtrees that share no operand with the rest of the expression: what several of them need would be done
+/// several times. Nothing, unless that takes a quarter of all leaves away: so there are few rounds, however deep the
+/// tree.
+std::vector<Part> own_subtrees(const Task& task) {
+  const auto& nodes = task.expression.nodes;
+  const std::vector<std::uint32_t> top = small_subtrees(task);
+  std::vector<std::uint32_t> user(task.operands.size(), none);  // of an operand: the first subtree, or leaf elsewhere
+  std::vector<std::uint8_t> is_shared(nodes.size());            // by top
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (!task.is_leaf(i)) continue;
+    const std::uint32_t here = top[i] != none ? top[i] : i;
+    std::uint32_t& first = user[nodes[i].operand];
+    if (first == none) first = here;
+    if (first != here) is_shared[first] = is_shared[here] = 1;
+  }
+
+  std::vector<Part> parts;
+  std::vector<std::uint32_t> name(nodes.size());                   // of a node in its part
+  std::vector<std::uint32_t> part_of(nodes.size());                // by top
+  std::vector<std::uint32_t> operand(task.operands.size(), none);  // of an operand in its part
+  std::size_t leaves = 0, covered_leaves = 0;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    leaves += task.is_leaf(i);
+    if (top[i] == none || is_shared[top[i]]) continue;
+    Expression::Node node = nodes[i];
+    if (top[i] == i) {
+      part_of[i] = static_cast<std::uint32_t>(parts.size());
+      parts.push_back({i, {}, node.negated});
+      node.negated = false;
+      node.parent = none;
+    } else {
+      node.parent = name[node.parent];
+      parts[part_of[top[i]]].covered.push_back(i);
+    }
+
+    Part& part = parts[part_of[top[i]]];
+    if (task.is_leaf(i)) {
+      ++covered_leaves;
+      std::uint32_t& own = operand[node.operand];
+      if (own == none) {
+        own = static_cast<std::uint32_t>(part.task.operands.size());
+        part.task.operands.push_back(task.operands[node.operand]);
+      }
+      node.operand = own;
+    }
+    name[i] = part.task.expression.add(node);
+  }
+  if (4 * (covered_leaves - parts.size()) < leaves) return {};
+
+  // Bounded results meet less than their complements do.
+  for (Part& part : parts) {
+    const bool negated = value_at_infinity(part.task);
+    part.task.expression.nodes[0].negated = negated;
+    part.negated = part.negated != negated;
+  }
+  return parts;
+}
+
 /// Makes the expression smaller, round by round.
 class Reduction {
  public:
   Reduction(std::span<const Body* const> operands, const Expression& expression, const Run& run)
-      : operands_(operands.begin(), operands.end()), expression_(expression), run_(run) {}
+      : task_{{operands.begin(), operands.end()}, expression}, run_(run) {}
 
   Result<Body> run() {
     drop_repeated_leaves();
     double done = 0;
-    for (; find_groups(); done += (1 - done) / 2) {
+    for (; find_parts(); done += (1 - done) / 2) {
       if (run_.stage) run_.stage("parts");
       if (run_.progress) run_.progress(done);
       if (auto combined = combine(); !combined) return combined.error();
@@ -83,119 +219,96 @@ class Reduction {
     }
     Run rest = run_;
     if (run_.progress) rest.progress = [&](double fraction) { run_.progress(done + (1 - done) * fraction); };
-    return evaluate(operands_, expression_, rest);
+    return evaluate(task_.operands, task_.expression, rest);
   }
 
  private:
-  struct Group {
-    std::vector<std::uint32_t> leaves;
-    Body result;
-    std::optional<Error> error;
-  };
-
   /// One leaf says what equal leaves of a node say; of a symmetric difference every two of them cancel.
   void drop_repeated_leaves() {
-    if (expression_.nodes.size() <= group_size()) return;
-    std::vector<std::uint8_t> gone(expression_.nodes.size());
+    const auto& nodes = task_.expression.nodes;
+    if (nodes.size() <= group_size()) return;
+    std::vector<std::uint8_t> gone(nodes.size());
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;  // (node, operand, negated) -> leaf
-    for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
-      const auto& node = expression_.nodes[i];
-      if (node.rule != Rule::operand || node.parent == none) continue;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+      const auto& node = nodes[i];
+      if (!task_.is_leaf(i) || node.parent == none) continue;
       const auto [at, fresh] = known.try_emplace({node.parent, node.operand, node.negated}, i);
       if (fresh) continue;
       gone[i] = 1;
-      if (expression_.nodes[node.parent].rule != Rule::odd) continue;
+      if (nodes[node.parent].rule != Rule::odd) continue;
       gone[at->second] = 1;
       known.erase(at);
     }
     remove(gone);
   }
 
-  /// The groups of the next round.
-  bool find_groups() {
-    groups_.clear();
-    if (expression_.nodes.size() <= group_size()) return false;
-    std::map<std::pair<std::uint32_t, bool>, std::vector<Member>> like;  // by node and negation
-    for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
-      const auto& node = expression_.nodes[i];
-      if (node.rule != Rule::operand || node.parent == none) continue;
-      if (const auto box = bounds(*operands_[node.operand])) like[{node.parent, node.negated}].push_back({i, *box});
-    }
-    for (auto& [key, members] : like) {
-      if (members.size() <= group_size() || !is_crowded(members)) continue;
-      sort_in_space(members);
-      for (std::size_t i = 0; i + 1 < members.size(); i += group_size()) {  // a last one alone waits for the next round
-        Group& group = groups_.emplace_back();
-        for (std::size_t j = i; j < std::min(members.size(), i + group_size()); ++j)
-          group.leaves.push_back(members[j].leaf);
-      }
-    }
-    return !groups_.empty();
+  /// The parts of the next round.
+  bool find_parts() {
+    parts_.clear();
+    if (task_.expression.nodes.size() <= group_size()) return false;
+    parts_ = own_subtrees(task_);
+    if (parts_.empty()) parts_ = crowded_groups(task_);
+    return !parts_.empty();
   }
 
   Result<void> combine() {
-    grid::in_stretches(groups_.size(), 1, [&](std::size_t g, std::size_t, std::size_t) {
-      Group& group = groups_[g];
-      const auto& first = expression_.nodes[group.leaves[0]];
-      std::vector<const Body*> bodies;
-      for (std::uint32_t leaf : group.leaves) bodies.push_back(operands_[expression_.nodes[leaf].operand]);
-      const Rule rule = group_rule(expression_.nodes[first.parent].rule, first.negated);
-      Result<Body> result =
-          evaluate(bodies, Expression::flat(rule, static_cast<std::uint32_t>(bodies.size())), Run{{}, run_.cancel, {}});
+    grid::in_stretches(parts_.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+      Part& part = parts_[i];
+      Result<Body> result = evaluate(part.task.operands, part.task.expression, Run{{}, run_.cancel, {}});
       if (result)
-        group.result = std::move(result).value();
+        part.result = std::move(result).value();
       else
-        group.error = result.error();
+        part.error = result.error();
     });
-    for (const Group& group : groups_)
-      if (group.error) return *group.error;
+    for (const Part& part : parts_)
+      if (part.error) return *part.error;
     return {};
   }
 
-  /// Puts one leaf in the place of each group's leaves.
+  /// Puts a leaf in the place of each part.
   void replace() {
-    std::vector<std::uint8_t> gone(expression_.nodes.size());
-    for (Group& group : groups_) {
-      for (std::uint32_t leaf : group.leaves) gone[leaf] = 1;
-      gone[group.leaves[0]] = 0;
-      auto& first = expression_.nodes[group.leaves[0]];
-      first.negated = is_group_negated(expression_.nodes[first.parent].rule, first.negated, group.leaves.size());
-      first.operand = static_cast<std::uint32_t>(operands_.size());
-      operands_.push_back(results_.emplace_back(std::make_unique<Body>(std::move(group.result))).get());
+    std::vector<std::uint8_t> gone(task_.expression.nodes.size());
+    for (Part& part : parts_) {
+      for (std::uint32_t node : part.covered) gone[node] = 1;
+      auto& leaf = task_.expression.nodes[part.place];
+      leaf.rule = Rule::operand;
+      leaf.negated = part.negated;
+      leaf.operand = static_cast<std::uint32_t>(task_.operands.size());
+      task_.operands.push_back(results_.emplace_back(std::make_unique<Body>(std::move(part.result))).get());
     }
     remove(gone);
   }
 
-  /// Takes leaves away, and lets go of what no leaf names any more.
+  /// Takes nodes away, and lets go of what no leaf names any more.
   void remove(const std::vector<std::uint8_t>& gone) {
-    Expression smaller;
-    std::vector<const Body*> used;
-    std::vector<std::uint32_t> node_name(expression_.nodes.size(), none), operand_name(operands_.size(), none);
-    for (std::uint32_t i = 0; i < expression_.nodes.size(); ++i) {
+    const auto& nodes = task_.expression.nodes;
+    Task smaller;
+    std::vector<std::uint32_t> node_name(nodes.size(), none), operand_name(task_.operands.size(), none);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
       if (gone[i]) continue;
-      auto node = expression_.nodes[i];
+      auto node = nodes[i];
       if (node.parent != none) node.parent = node_name[node.parent];
       if (node.rule == Rule::operand) {
         std::uint32_t& name = operand_name[node.operand];
         if (name == none) {
-          name = static_cast<std::uint32_t>(used.size());
-          used.push_back(operands_[node.operand]);
+          name = static_cast<std::uint32_t>(smaller.operands.size());
+          smaller.operands.push_back(task_.operands[node.operand]);
         }
         node.operand = name;
       }
-      node_name[i] = smaller.add(node);
+      node_name[i] = smaller.expression.add(node);
     }
-    expression_ = std::move(smaller);
-    operands_ = used;
+    task_ = std::move(smaller);
+
+    std::vector<const Body*> used = task_.operands;
     std::sort(used.begin(), used.end());
     std::erase_if(results_, [&](const auto& r) { return !std::binary_search(used.begin(), used.end(), r.get()); });
   }
 
-  std::vector<const Body*> operands_;
-  Expression expression_;
+  Task task_;
   const Run& run_;
-  std::vector<Group> groups_;
-  std::vector<std::unique_ptr<Body>> results_;  // of groups, while a leaf names them
+  std::vector<Part> parts_;
+  std::vector<std::unique_ptr<Body>> results_;  // of parts, while a leaf names them
 };
 
 }  // namespace
