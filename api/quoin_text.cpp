@@ -141,14 +141,14 @@ Result<Boundary> read_boundary(io::ExactDocument& document) {
     boundary.planes.push_back(p.value());
   }
 
-  boundary.faces.face_start = std::move(document.face_loops);
-  boundary.faces.loop_start = std::move(document.loop_corners);
-  boundary.faces.corners = std::move(document.corners);
+  boundary.faces.face_start.assign(document.face_loops.begin(), document.face_loops.end());
+  boundary.faces.loop_start.assign(document.loop_corners.begin(), document.loop_corners.end());
+  boundary.faces.corners.assign(document.corners.begin(), document.corners.end());
   return boundary;
 }
 
 /// "faces 3 and 7", counted as in the text; "faces" where none is known. `faces`: of the body.
-std::string names_of(const std::vector<std::uint32_t>& faces, const Boundary& boundary) {
+std::string names_of(std::span<const std::uint32_t> faces, const Boundary& boundary) {
   if (faces.empty()) return "faces";
   const auto order = booleans::faces_in_order_of_body(boundary);
   std::vector<std::uint32_t> numbers;
@@ -176,9 +176,9 @@ std::string Solid::to_quoin() const {
     document.planes.push_back(
         {std::to_string(p.n[0]), std::to_string(p.n[1]), std::to_string(p.n[2]), exact::to_integer(p.d).str()});
 
-  document.face_loops = form.faces.face_start;
-  document.loop_corners = form.faces.loop_start;
-  document.corners = form.faces.corners;
+  document.face_loops.assign(form.faces.face_start.begin(), form.faces.face_start.end());
+  document.loop_corners.assign(form.faces.loop_start.begin(), form.faces.loop_start.end());
+  document.corners.assign(form.faces.corners.begin(), form.faces.corners.end());
   return io::write_quoin(document);
 }
 
@@ -196,7 +196,7 @@ Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
   body.is_proved = trust == Trust::nothing;
   if (auto fault = booleans::fault(boundary.value())) return bad(fault->message, fault->where);
   if (trust == Trust::nothing) {
-    std::vector<std::uint32_t> faces;
+    grid::Array<std::uint32_t> faces;
     if (const auto fault = booleans::embedding_fault(body, &faces))
       return bad("the solid is not valid: " + *fault, names_of(faces, boundary.value()));
   }

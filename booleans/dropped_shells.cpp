@@ -99,8 +99,8 @@ struct ShellMesh {
 };
 
 /// The triangles of shells that look inwards, or of the others.
-std::vector<BoxTree::Item> triangles_looking(bool inwards, const ShellMesh& mesh) {
-  std::vector<BoxTree::Item> items;
+Array<BoxTree::Item> triangles_looking(bool inwards, const ShellMesh& mesh) {
+  Array<BoxTree::Item> items;
   for (std::uint32_t t = 0; t < mesh.body.triangles.size(); ++t)
     if (mesh.looks_inwards(mesh.shells.of_triangle[t]) == inwards)
       items.push_back({box_of(mesh.body, mesh.body.triangles[t]), t, 0});
@@ -116,7 +116,7 @@ class Evidence {
 
   /// For every shell that looks inwards whether there is some; false for the others.
   std::vector<bool> find() const {
-    std::vector<BoxTree::Item> items = triangles_looking(true, mesh_);
+    Array<BoxTree::Item> items = triangles_looking(true, mesh_);
     add_boundary_near(items);
     const BoxTree others(triangles_looking(false, mesh_));
 
@@ -140,7 +140,7 @@ class Evidence {
     return t;
   }
 
-  void add_boundary_near(std::vector<BoxTree::Item>& items) const {
+  void add_boundary_near(Array<BoxTree::Item>& items) const {
     Box all;
     for (const BoxTree::Item& item : items) all.add(item.box);
 

@@ -29,7 +29,7 @@ struct Disturbance {
 class SheetProof {
  public:
   /// `faces`: those of this sheet, ascending.
-  SheetProof(const Touched& touched, const Sheet& sheet, const std::vector<TouchedId>& faces)
+  SheetProof(const Touched& touched, const Sheet& sheet, const Array<TouchedId>& faces)
       : touched_(touched), sheet_(sheet), faces_(faces) {}
 
   std::optional<Disturbance> disturbance() const {
@@ -40,7 +40,7 @@ class SheetProof {
  private:
   /// A face has its edges, on the one side that it lies on or on both, and its touching vertices; and it has no others.
   std::optional<Disturbance> in_parts() const {
-    std::vector<FacePart> own, drawn;
+    Array<FacePart> own, drawn;
     for (const TouchedId f : faces_) {
       for (const BoundaryEdge& e : touched_.edges_of(f)) own.emplace_back(e.from, e.to, f);
       for (const VertexId v : touched_.isolated_of(f)) own.emplace_back(v, v, f);
@@ -69,7 +69,7 @@ class SheetProof {
       if (bounds_nothing || (f != none && sheet_.covers(f).size() != 1)) return Disturbance{sheet_.origin(h), none};
     }
 
-    std::vector<TouchedId> covers(sheet_.cover.begin(), sheet_.cover.end());
+    Array<TouchedId> covers(sheet_.cover.begin(), sheet_.cover.end());
     std::sort(covers.begin(), covers.end());
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (i >= covers.size() || covers[i] != faces_[i]) return at(faces_[i]);
@@ -81,7 +81,7 @@ class SheetProof {
 
   const Touched& touched_;
   const Sheet& sheet_;
-  const std::vector<TouchedId>& faces_;
+  const Array<TouchedId>& faces_;
 };
 
 /// Two faces that meet out of place on a sheet; nothing where none do. In embedded faces a contact is an edge or a
@@ -100,7 +100,7 @@ class MeetingFaces {
     std::sort(parts_.begin(), parts_.end());
   }
 
-  std::vector<TouchedId> on(const Sheet& sheet) {
+  Array<TouchedId> on(const Sheet& sheet) {
     const auto is_here = [&](TouchedId t) { return a_.touched.faces[t].plane == sheet.plane; };
     for (const auto& [f, g] : pairs_)
       if ((is_here(f) || is_here(g)) && have_strange_contact(f, g)) return {f, g};
@@ -124,13 +124,13 @@ class MeetingFaces {
   }
 
   Arrangement& a_;
-  std::vector<TouchedPair> pairs_;
-  std::vector<FacePart> parts_;
+  Array<TouchedPair> pairs_;
+  Array<FacePart> parts_;
 };
 
 /// Distinct and ascending, by their numbers in the body.
-std::vector<std::uint32_t> own_numbers(const Touched& touched, const std::vector<TouchedId>& faces) {
-  std::vector<std::uint32_t> r;
+Array<std::uint32_t> own_numbers(const Touched& touched, const Array<TouchedId>& faces) {
+  Array<std::uint32_t> r;
   for (const TouchedId t : faces) r.push_back(touched.faces[t].source);
   std::sort(r.begin(), r.end());
   r.erase(std::unique(r.begin(), r.end()), r.end());
@@ -138,8 +138,8 @@ std::vector<std::uint32_t> own_numbers(const Touched& touched, const std::vector
 }
 
 /// `culprits`: nullptr, or where the faces go; new points then get names.
-std::optional<std::string> crossing(Arrangement& a, const FacePairs& pairs, std::vector<std::uint32_t>* culprits) {
-  ById<PlaneId, std::vector<TouchedId>> faces(a.names.planes.size());
+std::optional<std::string> crossing(Arrangement& a, const FacePairs& pairs, Array<std::uint32_t>* culprits) {
+  ById<PlaneId, Array<TouchedId>> faces(a.names.planes.size());
   for (const TouchedId t : Ids<TouchedId>(a.touched.faces.size())) faces[a.touched.faces[t].plane].push_back(t);
 
   for (const Sheet& sheet : a.sheets) {
@@ -170,7 +170,7 @@ NodeId wrong_node(const Arrangement& a, const Selection& selection) {
 }
 
 /// `culprits`: nullptr, or where the face goes.
-std::optional<std::string> wrong_label(const Arrangement& a, std::vector<std::uint32_t>* culprits) {
+std::optional<std::string> wrong_label(const Arrangement& a, Array<std::uint32_t>* culprits) {
   const std::string message = "faces do not separate inside from outside";
   const Selection selection = select(a, find_cells(a), Expression::itself());
   const NodeId n = selection.is_consistent ? wrong_node(a, selection) : selection.contradiction;
@@ -183,7 +183,7 @@ std::optional<std::string> wrong_label(const Arrangement& a, std::vector<std::ui
 
 }  // namespace
 
-std::optional<std::string> embedding_fault(const Body& body, std::vector<std::uint32_t>* faces) {
+std::optional<std::string> embedding_fault(const Body& body, Array<std::uint32_t>* faces) {
   if (faces) faces->clear();
   if (!body.is_packed) return embedding_fault(packed(body), faces);
 

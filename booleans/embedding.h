@@ -21,6 +21,6 @@ namespace quoin::booleans {
 /// `faces`, when given, receives what the sentence is about, ascending: two faces that meet out of place, or one that
 /// meets itself or has the wrong sides; of a patched body by their numbers in the packed one. Empty where no single
 /// face shows the fault.
-std::optional<std::string> embedding_fault(const Body& body, std::vector<std::uint32_t>* faces = nullptr);
+std::optional<std::string> embedding_fault(const Body& body, Array<std::uint32_t>* faces = nullptr);
 
 }  // namespace quoin::booleans

@@ -10,7 +10,7 @@ namespace {
 
 /// One surface, connected over edges that all have exactly two faces? Where all stars are fans, triangles that hang
 /// together over vertices hang together over such edges.
-bool is_simple_surface(const Body& mesh, const std::vector<Star>& star_of) {
+bool is_simple_surface(const Body& mesh, const Array<Star>& star_of) {
   if (std::find(star_of.begin(), star_of.end(), Star::other) != star_of.end()) return false;
   grid::Partition parts(mesh.grid_points.size());
   for (const auto& t : mesh.triangles) {
@@ -29,7 +29,7 @@ Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {
   if (!run.begin("pairs", 0.0)) return cancelled();
   crossings = 0;
   if (mesh.triangles.empty()) return mesh;
-  const std::vector<Star> star_of = stars(mesh);
+  const Array<Star> star_of = stars(mesh);
   const FacePairs pairs = improper_pairs(mesh, star_of);
   crossings = pairs.size();
   // An embedded connected surface that is not inside out has 1 inside and 0 outside: the door has seen its volume.

@@ -28,7 +28,7 @@ bool is_part_balanced(std::span<const std::uint32_t> corners, std::size_t point_
   });
 
   // Counters are all zero between buckets: `open` is the sum of their magnitudes.
-  std::vector<std::int32_t> counter(point_count);
+  Array<std::int32_t> counter(point_count);
   for (std::size_t i = 0; i + first < last; ++i) {
     std::int64_t open = 0;
     for (const std::uint32_t edge : edges[i]) {
@@ -52,13 +52,13 @@ bool is_balanced(std::span<const std::uint32_t> corners, std::size_t point_count
   return balanced;
 }
 
-std::vector<OpenEdge> open_edges(std::vector<std::array<std::uint32_t, 2>> edges) {
+Array<OpenEdge> open_edges(Array<std::array<std::uint32_t, 2>> edges) {
   const auto ends = [](const std::array<std::uint32_t, 2>& e) {
     return std::uint64_t{std::min(e[0], e[1])} << 32 | std::max(e[0], e[1]);
   };
   std::sort(edges.begin(), edges.end(), [&](const auto& e, const auto& f) { return ends(e) < ends(f); });
 
-  std::vector<OpenEdge> result;
+  Array<OpenEdge> result;
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     const auto [low, high] = std::minmax(edges[i][0], edges[i][1]);
     std::int64_t sum = 0;
@@ -69,8 +69,8 @@ std::vector<OpenEdge> open_edges(std::vector<std::array<std::uint32_t, 2>> edges
   return result;
 }
 
-std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
+Array<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  Array<std::array<std::uint32_t, 2>> edges;
   edges.reserve(3 * triangles.size());
   for (const auto& t : triangles)
     for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "grid/lists/array.h"
+
 namespace quoin::grid {
 
 /// Whether triangles, three corners each, are closed. Corners are below `point_count` <= 2^31. Exact,
@@ -26,8 +28,8 @@ struct OpenEdge {
 };
 
 /// All open edges among directed ones {from, to}, each once, ordered by (smaller end, larger end).
-std::vector<OpenEdge> open_edges(std::vector<std::array<std::uint32_t, 2>> edges);
+Array<OpenEdge> open_edges(Array<std::array<std::uint32_t, 2>> edges);
 /// Those of triangles; empty for a closed mesh.
-std::vector<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
+Array<OpenEdge> open_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace quoin::grid

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact/geometry.h"
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -23,7 +24,7 @@ inline std::int64_t area(const FlatPoint& p, const FlatPoint& q, const FlatPoint
 class Blockers {
  public:
   /// The tree over the points `members` (indices into `points`, which must outlive the tree).
-  void build(const std::vector<FlatPoint>& points, std::vector<std::uint32_t> members) {
+  void build(const Array<FlatPoint>& points, Array<std::uint32_t> members) {
     points_ = points.data();
     members_ = std::move(members);
     place_.assign(points.size(), absent);
@@ -110,8 +111,8 @@ class Blockers {
   }
 
   const FlatPoint* points_ = nullptr;
-  std::vector<std::uint32_t> members_, place_;
-  std::vector<Node> nodes_;
+  Array<std::uint32_t> members_, place_;
+  Array<Node> nodes_;
 };
 
 }  // namespace quoin::grid

@@ -28,7 +28,7 @@ void add_cross(Vector& sum, const std::array<std::int64_t, 3>& e, const std::arr
 }
 
 /// Whether all corners lie on the plane through the first with this normal: below 3 * 2^(61 + 32 + 30) fits 128 bits.
-bool on_plane(const std::vector<GridPoint>& points, std::span<const std::uint32_t> corners, const Vector& normal) {
+bool on_plane(const Array<GridPoint>& points, std::span<const std::uint32_t> corners, const Vector& normal) {
   for (std::uint32_t v : corners) {
     const auto d = difference(points[v], points[corners[0]]);
     if (normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2] != 0) return false;
@@ -37,7 +37,7 @@ bool on_plane(const std::vector<GridPoint>& points, std::span<const std::uint32_
 }
 
 /// The polygon whose area vector is zero.
-bool is_planar_without_area(const std::vector<GridPoint>& points, std::span<const std::uint32_t> corners) {
+bool is_planar_without_area(const Array<GridPoint>& points, std::span<const std::uint32_t> corners) {
   const GridPoint &p = points[corners[0]], &q = points[corners[1]];
   for (std::uint32_t v : corners) {
     if (collinear(p, q, points[v])) continue;
@@ -51,13 +51,13 @@ bool is_planar_without_area(const std::vector<GridPoint>& points, std::span<cons
 int direction(const FlatPoint& p, const FlatPoint& q) { return p < q ? 1 : -1; }
 
 template <class Corner>
-void fan(std::size_t count, Corner corner, std::vector<Triangle>& triangles) {
+void fan(std::size_t count, Corner corner, Array<Triangle>& triangles) {
   for (std::size_t i = 2; i < count; ++i) triangles.push_back({corner(0), corner(i - 1), corner(i)});
 }
 
 }  // namespace
 
-bool Cutter::cut(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles) {
+bool Cutter::cut(std::span<const std::uint32_t> corners, Array<Triangle>& triangles) {
   assert(corners.size() >= 3);
   const bool planar = project(corners);
   if (flat_ || strictly_convex())
@@ -112,11 +112,11 @@ bool Cutter::is_ear(std::span<const std::uint32_t> corners, std::uint32_t i) con
 
 /// An ear can only appear next to one that was cut off, so each cut asks for two corners again. A polygon that is not
 /// simple may need all of them to be asked again, or have none: then a fan is as good as anything.
-void Cutter::clip_ears(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles) {
+void Cutter::clip_ears(std::span<const std::uint32_t> corners, Array<Triangle>& triangles) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   previous_.resize(n);
   next_.resize(n);
-  std::vector<std::uint32_t> members;
+  Array<std::uint32_t> members;
   for (std::uint32_t i = 0; i < n; ++i) {
     previous_[i] = previous_in_loop(i, n);
     next_[i] = next_in_loop(i, n);

@@ -110,12 +110,12 @@ Error no_areas(const Faces& f) {
 
 /// What is known of triangles.
 struct Collected {
-  std::uint64_t zero_area = 0;         // without the slivers
-  std::vector<std::uint32_t> slivers;  // of three distinct collinear corners
-  int128 volume = 0;                   // six times what they enclose
+  std::uint64_t zero_area = 0;   // without the slivers
+  Array<std::uint32_t> slivers;  // of three distinct collinear corners
+  int128 volume = 0;             // six times what they enclose
 
   /// Takes note of a triangle, which is to become number `index`; false when it is nothing.
-  bool add(const std::vector<GridPoint>& points, const Triangle& t, std::size_t index) {
+  bool add(const Array<GridPoint>& points, const Triangle& t, std::size_t index) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
       ++zero_area;
       return false;
@@ -133,10 +133,10 @@ struct Collected {
 };
 
 /// Stretch by stretch; where triangles are nothing, those behind them move up.
-Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh) {
+Collected add_triangles(const Faces& f, const Array<std::uint32_t>& ids, ImportedMesh& mesh) {
   const std::size_t length = stretch(std::size_t{1} << 15);
   mesh.triangles.resize(f.count());
-  std::vector<Collected> parts(f.count() / length + 1);
+  Array<Collected> parts(f.count() / length + 1);
 
   in_stretches(f.count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     std::size_t next = begin;
@@ -163,8 +163,8 @@ Collected add_triangles(const Faces& f, const std::vector<std::uint32_t>& ids, I
 }
 
 /// The face's corners as point ids, without repetitions of neighbours.
-void distinct_corners(std::span<const std::uint32_t> face, const std::vector<std::uint32_t>& ids,
-                      std::vector<std::uint32_t>& loop) {
+void distinct_corners(std::span<const std::uint32_t> face, const Array<std::uint32_t>& ids,
+                      Array<std::uint32_t>& loop) {
   loop.clear();
   for (std::uint32_t v : face) {
     const std::uint32_t id = ids.empty() ? v : ids[v];
@@ -173,11 +173,11 @@ void distinct_corners(std::span<const std::uint32_t> face, const std::vector<std
   while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
 }
 
-Collected add_polygons(const Faces& f, const std::vector<std::uint32_t>& ids, ImportedMesh& mesh) {
+Collected add_polygons(const Faces& f, const Array<std::uint32_t>& ids, ImportedMesh& mesh) {
   mesh.triangles.reserve(f.corners.size() - std::min(f.corners.size(), 2 * f.count()));
   Cutter cutter(mesh.points);
-  std::vector<std::uint32_t> loop;
-  std::vector<Triangle> pieces;
+  Array<std::uint32_t> loop;
+  Array<Triangle> pieces;
   Collected all;
 
   for (std::size_t i = 0; i < f.count(); ++i) {
@@ -197,8 +197,8 @@ Collected add_polygons(const Faces& f, const std::vector<std::uint32_t>& ids, Im
 
 /// The first face, in input order, with an edge that is open; sealing and cutting keep the sum of directed edges, so
 /// there is one.
-Error open_boundary(const Faces& f, const std::vector<std::uint32_t>& ids, const ImportedMesh& mesh) {
-  const std::vector<OpenEdge> open = open_edges(mesh.triangles);
+Error open_boundary(const Faces& f, const Array<std::uint32_t>& ids, const ImportedMesh& mesh) {
+  const Array<OpenEdge> open = open_edges(mesh.triangles);
   std::uint64_t count = 0;
   for (const OpenEdge& e : open) count += e.excess;
 
@@ -241,7 +241,7 @@ Error inside_out(const ImportedMesh& mesh, const Lattice& lattice) {
 }
 
 /// Snaps, welds and collects. `ids`: what the input's points became, empty when they are as they were.
-Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& mesh, std::vector<std::uint32_t>& ids) {
+Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& mesh, Array<std::uint32_t>& ids) {
   auto snapped = snap(f.points, lattice);
   if (!snapped) return snapped.error();
   mesh.points = std::move(snapped.value().points);
@@ -257,7 +257,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
   if (const auto checked = check_indices(f); !checked) return checked.error();
 
   ImportedMesh mesh;
-  std::vector<std::uint32_t> ids;
+  Array<std::uint32_t> ids;
   std::optional<Result<Collected>> gathered;
   // Welding and sealing keep the balance of edges, so the input may be asked meanwhile.
   bool balanced = false;

@@ -10,6 +10,7 @@
 
 #include "exact/geometry.h"
 #include "grid/grid.h"
+#include "grid/lists/array.h"
 #include "quoin/result.h"
 
 namespace quoin::grid {
@@ -20,8 +21,8 @@ namespace quoin::grid {
 /// Triangles keep the order of the input polygons they come from; those made by sealing stand where the neighbour they
 /// replace stood or at the end.
 struct ImportedMesh {
-  std::vector<exact::GridPoint> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Array<exact::GridPoint> points;
+  Array<std::array<std::uint32_t, 3>> triangles;
   /// The largest move of a point by snapping, an upper bound in model units (of Euclidean length); 0 when exact.
   double max_snap = 0;
   /// Distinct input positions that became one with an earlier one.

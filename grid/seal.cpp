@@ -32,8 +32,7 @@ Line line_through(const GridPoint& p, const GridPoint& q) {
 /// cancel, and there are no more splits than segments. The neighbours' edges, the segments reversed, are split alike.
 class Sealer {
  public:
-  Sealer(const std::vector<GridPoint>& points, std::vector<Triangle>& triangles,
-         const std::vector<std::uint32_t>& slivers)
+  Sealer(const Array<GridPoint>& points, Array<Triangle>& triangles, const Array<std::uint32_t>& slivers)
       : points_(points), triangles_(triangles), slivers_(slivers) {}
 
   bool run() {
@@ -63,7 +62,7 @@ class Sealer {
   };
 
   void find_segments() {
-    std::vector<Triangle> flat;
+    Array<Triangle> flat;
     for (std::uint32_t t : slivers_) flat.push_back(triangles_[t]);
     for (const OpenEdge& e : open_edges(flat))
       for (std::uint64_t i = 0; i < e.excess; ++i) segments_.push_back({e.from, e.to});
@@ -72,10 +71,10 @@ class Sealer {
   /// Segments between the same ends run the same way and stand together, ordered by (smaller end, larger end).
   bool find_neighbours() {
     const auto ends = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
-    std::vector<std::uint8_t> is_end(points_.size());
+    Array<std::uint8_t> is_end(points_.size());
     for (const Segment& s : segments_) is_end[s.from] = is_end[s.to] = 1;
 
-    std::vector<std::uint32_t> found(segments_.size());  // at the first of equal segments: how many have a neighbour
+    Array<std::uint32_t> found(segments_.size());  // at the first of equal segments: how many have a neighbour
     std::size_t missing = segments_.size(), next_sliver = 0;
     for (std::uint32_t t = 0; t < triangles_.size() && missing > 0; ++t) {
       if (next_sliver < slivers_.size() && slivers_[next_sliver] == t) {
@@ -104,12 +103,12 @@ class Sealer {
   bool is_forward(const Segment& s) const { return points_[s.from] < points_[s.to]; }
 
   void sweep_all_lines() {
-    std::vector<std::pair<Line, std::uint32_t>> order;
+    Array<std::pair<Line, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
       order.emplace_back(line_through(points_[segments_[i].from], points_[segments_[i].to]), i);
     std::sort(order.begin(), order.end());
 
-    std::vector<Event> events;
+    Array<Event> events;
     for (std::size_t i = 0; i < order.size();) {
       events.clear();
       for (const Line& line = order[i].first; i < order.size() && order[i].first == line; ++i) {
@@ -125,8 +124,8 @@ class Sealer {
     }
   }
 
-  void sweep(const std::vector<Event>& events) {
-    std::array<std::vector<std::uint32_t>, 2> single;  // backward, forward: without a partner beyond this vertex
+  void sweep(const Array<Event>& events) {
+    std::array<Array<std::uint32_t>, 2> single;  // backward, forward: without a partner beyond this vertex
     for (std::size_t begin = 0, end = 0; begin < events.size(); begin = end) {
       const std::uint32_t vertex = events[begin].vertex;
       single[0].clear();
@@ -164,8 +163,8 @@ class Sealer {
     });
 
     Cutter cutter(points_);
-    std::vector<std::uint32_t> loop;
-    std::vector<Triangle> pieces;
+    Array<std::uint32_t> loop;
+    Array<Triangle> pieces;
     for (std::size_t i = 0; i < splits_.size();) {
       const std::uint32_t t = splits_[i].neighbour / 3;
       loop.clear();
@@ -181,11 +180,11 @@ class Sealer {
     }
   }
 
-  const std::vector<GridPoint>& points_;
-  std::vector<Triangle>& triangles_;
-  const std::vector<std::uint32_t>& slivers_;
-  std::vector<Segment> segments_;
-  std::vector<Split> splits_;
+  const Array<GridPoint>& points_;
+  Array<Triangle>& triangles_;
+  const Array<std::uint32_t>& slivers_;
+  Array<Segment> segments_;
+  Array<Split> splits_;
 };
 
 }  // namespace
@@ -197,8 +196,7 @@ bool collinear(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
   return ey * fz == ez * fy && ez * fx == ex * fz && ex * fy == ey * fx;
 }
 
-bool seal(const std::vector<GridPoint>& points, std::vector<Triangle>& triangles,
-          const std::vector<std::uint32_t>& slivers) {
+bool seal(const Array<GridPoint>& points, Array<Triangle>& triangles, const Array<std::uint32_t>& slivers) {
   return slivers.empty() || Sealer(points, triangles, slivers).run();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/geometry.h"
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -19,7 +20,7 @@ bool collinear(const exact::GridPoint& p, const exact::GridPoint& q, const exact
 /// the end. What was balanced stays balanced. O(n log n); at most one new point for each side of a sliver. False, with
 /// nothing changed, when some side lacks its neighbour: then the surface is open. The points are pairwise distinct, and
 /// no other triangle has zero area.
-bool seal(const std::vector<exact::GridPoint>& points, std::vector<std::array<std::uint32_t, 3>>& triangles,
-          const std::vector<std::uint32_t>& slivers);
+bool seal(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles,
+          const Array<std::uint32_t>& slivers);
 
 }  // namespace quoin::grid

@@ -29,8 +29,8 @@ struct EdgeUse {
 };
 
 /// All of them, edge by edge.
-std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
-  std::vector<EdgeUse> uses;
+Array<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
+  Array<EdgeUse> uses;
   uses.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -46,11 +46,11 @@ std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
 /// order of their first triangles: of two bodies that are one behind the other in the list each is paired with itself.
 /// What was closed along an edge stays so.
 void unite_open_parts(std::span<const EdgeUse> edge, Partition& parts) {
-  std::vector<std::pair<std::uint32_t, std::int32_t>> ways;
+  Array<std::pair<std::uint32_t, std::int32_t>> ways;
   for (const EdgeUse& use : edge) ways.emplace_back(parts.find(use.triangle), use.way);
   std::sort(ways.begin(), ways.end());
 
-  std::vector<std::uint32_t> forward, backward;  // a part as often as it is missing its reverse
+  Array<std::uint32_t> forward, backward;  // a part as often as it is missing its reverse
   for (std::size_t i = 0, j = 0; i < ways.size(); i = j) {
     std::int32_t sum = 0;
     for (; j < ways.size() && ways[j].first == ways[i].first; ++j) sum += ways[j].second;
@@ -64,7 +64,7 @@ void unite_open_parts(std::span<const EdgeUse> edge, Partition& parts) {
 
 /// visit(uses) for every edge.
 template <class Visit>
-void for_edges(const std::vector<EdgeUse>& uses, Visit&& visit) {
+void for_edges(const Array<EdgeUse>& uses, Visit&& visit) {
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     while (j < uses.size() && uses[j].shares_edge(uses[i])) ++j;
     visit(std::span(uses).subspan(i, j - i));
@@ -72,7 +72,7 @@ void for_edges(const std::vector<EdgeUse>& uses, Visit&& visit) {
 }
 
 Partition closed_parts(std::span<const Triangle> triangles) {
-  const std::vector<EdgeUse> uses = edge_uses(triangles);
+  const Array<EdgeUse> uses = edge_uses(triangles);
   Partition parts(triangles.size());
 
   for_edges(uses, [&](std::span<const EdgeUse> edge) {

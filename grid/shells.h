@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "exact/geometry.h"
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
 /// A shell is a set of triangles that is closed by itself and hangs together over edges.
 struct Shells {
   /// The shell of each triangle; shells are numbered in the order of their first triangles.
-  std::vector<std::uint32_t> of_triangle;
+  Array<std::uint32_t> of_triangle;
   /// Six times the signed volume of each shell, cubic grid steps: negative when its faces look inwards.
-  std::vector<exact::int128> six_volumes;
+  Array<exact::int128> six_volumes;
 };
 
 /// Triangles hang together over edges that they alone share. Parts that more triangles meet at an edge of are united

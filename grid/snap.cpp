@@ -182,7 +182,7 @@ Moves snap_any(std::span<const double> points, const Snapper& snapper, std::span
 template <class Snap>
 Moves snap_all(std::span<const double> points, std::span<GridPoint> snapped, Snap snap) {
   const std::size_t length = stretch(std::size_t{1} << 15);
-  std::vector<Moves> parts(snapped.size() / length + 1);
+  Array<Moves> parts(snapped.size() / length + 1);
   in_stretches(snapped.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     parts[s] = snap(points.subspan(3 * begin, 3 * (end - begin)), snapped.subspan(begin, end - begin));
   });

@@ -8,12 +8,13 @@
 
 #include "exact/geometry.h"
 #include "grid/grid.h"
+#include "grid/lists/array.h"
 #include "quoin/result.h"
 
 namespace quoin::grid {
 
 struct Snapped {
-  std::vector<exact::GridPoint> points;
+  Array<exact::GridPoint> points;
   /// Upper bound of the largest move, model units; 0 exactly when no point moved.
   double max_snap = 0;
 };

@@ -36,7 +36,7 @@ class Table {
 
   void reserve(std::size_t count) {
     if (count * 4 < slots_.size() * 3 || bits_ == 32) return;
-    const std::vector<std::uint64_t> old = std::move(slots_);
+    const Array<std::uint64_t> old = std::move(slots_);
     resize(bits_ + 1);
     for (std::uint64_t slot : old) {
       if (slot == 0) continue;
@@ -71,7 +71,7 @@ class Table {
   }
   std::size_t place(std::uint32_t print) const { return print >> (32 - bits_); }
 
-  std::vector<std::uint64_t> slots_;
+  Array<std::uint64_t> slots_;
   std::size_t mask_ = 0;
   std::uint64_t collisions_ = 0;
   int bits_ = 0;
@@ -95,20 +95,20 @@ class Mergers {
 
  private:
   std::span<const double> input_;
-  std::vector<std::pair<std::uint32_t, std::array<double, 3>>> positions_;
+  Array<std::pair<std::uint32_t, std::array<double, 3>>> positions_;
 };
 
 }  // namespace
 
-Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::size_t expected) {
+Weld weld(Array<GridPoint>& points, std::span<const double> input, std::size_t expected) {
   const std::size_t n = points.size();
   assert(input.size() == 3 * n);
 
   Table table(std::min(expected, n));
   Mergers mergers(input);
   Weld result;
-  std::vector<std::uint32_t> first;  // input point of each kept one, from the first merger on
-  std::vector<GridPoint> kept;       // then the kept points; before that they are a prefix of `points`
+  Array<std::uint32_t> first;  // input point of each kept one, from the first merger on
+  Array<GridPoint> kept;       // then the kept points; before that they are a prefix of `points`
   std::uint32_t next = 0;
 
   constexpr std::size_t batch = 32;
@@ -151,14 +151,14 @@ Weld weld(std::vector<GridPoint>& points, std::span<const double> input, std::si
   return result;
 }
 
-Weld weld_by_sorting(std::vector<GridPoint>& points, std::span<const double> input) {
+Weld weld_by_sorting(Array<GridPoint>& points, std::span<const double> input) {
   const std::size_t n = points.size();
-  std::vector<std::uint32_t> order(n);
+  Array<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t i, std::uint32_t j) { return points[i] != points[j] ? points[i] < points[j] : i < j; });
 
-  std::vector<std::uint32_t> first(n);  // the first input point equal to each
+  Array<std::uint32_t> first(n);  // the first input point equal to each
   for (std::size_t i = 0; i < n; ++i)
     first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
 

@@ -6,11 +6,17 @@
 
 namespace quoin::booleans {
 
+/// Where an end of a segment lies in the face that has it: inside a boundary edge (its index in Touched::edges), inside
+/// the face, or at a place that nobody looked for.
+inline constexpr std::uint32_t inside_face = none - 1, unknown_place = none;
+
 /// A piece of the drawing on `plane`: the segment {a, b} on the line of that plane and `line`.
 struct ContactSegment {
   PlaneId plane;
   VertexId a, b;
-  PlaneId line;  // not parallel to the plane
+  PlaneId line;              // not parallel to the plane
+  OperandId other;           // whose face meets the face on the plane there
+  std::uint32_t at_a, at_b;  // the places of its ends, both known or both unknown
 };
 
 /// A point of the drawing on `plane` that no segment need end in.
@@ -20,18 +26,18 @@ struct ContactPoint {
 };
 
 struct Contacts {
-  std::vector<ContactSegment> segments;
-  std::vector<ContactPoint> points;
+  Array<ContactSegment> segments;
+  Array<ContactPoint> points;
 };
 
 /// Two touched faces, smaller id first.
 using TouchedPair = std::array<TouchedId, 2>;
 
 /// The pairs of different touched faces that the given faces belong to, each once, in order.
-std::vector<TouchedPair> touched_pairs(const Touched& touched, const FacePairs& pairs);
+Array<TouchedPair> touched_pairs(const Touched& touched, const FacePairs& pairs);
 
 /// The contacts of the given pairs. Pairs on one plane have none here (their sheet draws both), nor have parallel ones.
 /// New points get names in the order of the pairs.
-Contacts find_contacts(const Touched& touched, const std::vector<TouchedPair>& pairs, Names& names);
+Contacts find_contacts(const Touched& touched, const Array<TouchedPair>& pairs, Names& names);
 
 }  // namespace quoin::booleans

@@ -19,18 +19,20 @@ void LineTracer::find_stops(const FaceLine& line, const Box& box, Trace& trace) 
 
   const BoxTree* tree = touched_.edge_tree[line.face].get();
   if (tree) {
-    tree->meeting(box, [&](std::uint32_t e) { add_stops(line, touched_.edges[e], trace.stops); });
+    tree->meeting(box, [&](std::uint32_t e) { add_stops(line, e, trace.stops); });
   } else {
-    for (const BoundaryEdge& e : touched_.edges_of(line.face)) add_stops(line, e, trace.stops);
+    const TouchedFace& face = touched_.faces[line.face];
+    for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, trace.stops);
   }
   for (const VertexId v : touched_.isolated_of(line.face))
-    if (names_.side(v, line.other) == 0) trace.stops.push_back({v, 0, 0, false});
+    if (names_.side(v, line.other) == 0) trace.stops.push_back({v, 0, 0, false, none});
 
   if (tree) std::erase_if(trace.stops, [&](const Stop& s) { return !contains(box, approximation(s.vertex)); });
   merge(line, trace.stops);
 }
 
-void LineTracer::add_stops(const FaceLine& line, const BoundaryEdge& edge, std::vector<Stop>& stops) {
+void LineTracer::add_stops(const FaceLine& line, std::uint32_t e, Array<Stop>& stops) {
+  const BoundaryEdge& edge = touched_.edges[e];
   // Boundary edges have the face on their left seen from its outward normal.
   const int turn = touched_.faces[line.face].along ? 1 : -1;
   const int su = names_.side(edge.from, line.other), sv = names_.side(edge.to, line.other);
@@ -38,11 +40,11 @@ void LineTracer::add_stops(const FaceLine& line, const BoundaryEdge& edge, std::
   const int right = turn * ((su <= 0 && sv > 0) - (su > 0 && sv <= 0));
 
   if (su * sv < 0) {
-    stops.push_back({crossing(line, edge), left, right, false});
+    stops.push_back({crossing(line, edge), left, right, false, e});
     return;
   }
-  if (su == 0) stops.push_back({edge.from, left, right, false});
-  if (sv == 0) stops.push_back({edge.to, su == 0 ? 0 : left, su == 0 ? 0 : right, false});
+  if (su == 0) stops.push_back({edge.from, left, right, false, none});
+  if (sv == 0) stops.push_back({edge.to, su == 0 ? 0 : left, su == 0 ? 0 : right, false, none});
 }
 
 NewVertex LineTracer::crossing(const FaceLine& line, const BoundaryEdge& e) {
@@ -63,7 +65,7 @@ NewVertex LineTracer::crossing(const FaceLine& line, const BoundaryEdge& e) {
 }
 
 /// Sorts the stops along the line and joins equal ones.
-void LineTracer::merge(const FaceLine& line, std::vector<Stop>& stops) const {
+void LineTracer::merge(const FaceLine& line, Array<Stop>& stops) const {
   const auto order = [&](const Stop& a, const Stop& b) {
     return compare(line.axis, a.vertex, b.vertex) * line.direction;
   };
@@ -78,6 +80,7 @@ void LineTracer::merge(const FaceLine& line, std::vector<Stop>& stops) const {
     if (n > 0 && order(stops[n - 1], s) == 0) {
       stops[n - 1].left += s.left;
       stops[n - 1].right += s.right;
+      stops[n - 1].edge = none;
       if (!s.vertex.is_own()) stops[n - 1].vertex = s.vertex;
     } else {
       stops[n++] = s;

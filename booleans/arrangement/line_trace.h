@@ -9,15 +9,21 @@ namespace quoin::booleans {
 /// A place where the line of two planes meets the boundary of a face.
 struct Stop {
   NewVertex vertex;
-  int left, right;  // net boundary crossings of the strips just left and just right of the line: entering +1
-  bool open;        // the segment from here to the next stop lies in the closed face
+  int left, right;     // net boundary crossings of the strips just left and just right of the line: entering +1
+  bool open;           // the segment from here to the next stop lies in the closed face
+  std::uint32_t edge;  // the one edge that crosses the line here (in Touched::edges), else none
 };
 
 /// The stops of a face on a line, in the line's direction.
 struct Trace {
-  std::vector<Stop> stops;
+  Array<Stop> stops;
   int left = 0, right = 0;  // how often the face covers the strips before the first stop
   bool open = false;        // the closed face holds the line before the first stop
+
+  /// Does the line only cross edges, each in a place of its own?
+  bool is_plain() const {
+    return std::none_of(stops.begin(), stops.end(), [](const Stop& s) { return s.edge == none; });
+  }
 };
 
 /// The line of a face's plane and another one, on the face's plane; it runs along n_own x n_other (canonical normals).
@@ -45,6 +51,9 @@ class LineTracer {
   /// stops of a face with an edge tree leave open how it begins.
   void find_open_segments(const FaceLine& line, NewVertex at, Trace& trace);
 
+  /// Where a boundary edge of the line's face crosses the other plane. Precondition: its ends lie on both sides.
+  NewVertex crossing(const FaceLine& line, const BoundaryEdge& edge);
+
   /// Order along an axis of points on one line that runs in it: 0 exactly for equal points.
   int compare(int axis, NewVertex u, NewVertex v) const {
     const auto k = static_cast<std::size_t>(axis);
@@ -52,7 +61,7 @@ class LineTracer {
                                   [&] { return u == v ? 0 : exact::compare_along(axis, point(u), point(v)); });
   }
 
-  std::vector<exact::Point> points;  // NewVertex::own
+  Array<exact::Point> points;  // NewVertex::own
 
  private:
   const std::array<double, 3>& approximation(NewVertex v) const {
@@ -63,9 +72,8 @@ class LineTracer {
     return v.is_own() ? exact::side(names_.planes[plane], points[v.index()]) : names_.side(v.named(), plane);
   }
 
-  void add_stops(const FaceLine& line, const BoundaryEdge& edge, std::vector<Stop>& stops);
-  void merge(const FaceLine& line, std::vector<Stop>& stops) const;
-  NewVertex crossing(const FaceLine& line, const BoundaryEdge& edge);
+  void add_stops(const FaceLine& line, std::uint32_t edge, Array<Stop>& stops);
+  void merge(const FaceLine& line, Array<Stop>& stops) const;
   int cover_after(const FaceLine& line, NewVertex at, int strip) const;
   void anchor(const FaceLine& line, NewVertex at, Trace& trace) const;
 

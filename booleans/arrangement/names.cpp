@@ -15,12 +15,19 @@ PlaneId PlaneTable::id(const exact::Plane& plane) {
   const PlaneId id = planes_.add(key);
   slots_[i] = id;
   approximations_.push_back(exact::approximation(key));
-  if (planes_.size() * 2 > slots_.size()) grow();
+  if (planes_.size() * 2 > slots_.size()) grow(slots_.size() * 2);
   return id;
 }
 
-void PlaneTable::grow() {
-  slots_.assign(slots_.size() * 2, none);
+void PlaneTable::reserve(std::size_t more) {
+  const std::size_t n = planes_.size() + more;
+  planes_.reserve(n);
+  approximations_.reserve(n);
+  if (n * 2 > slots_.size()) grow(std::bit_ceil(n * 2));
+}
+
+void PlaneTable::grow(std::size_t slots) {
+  slots_.assign(slots, none);
   const std::size_t mask = slots_.size() - 1;
   for (const PlaneId id : Ids<PlaneId>(planes_.size())) {
     std::size_t i = exact::hash(planes_[id]) & mask;
@@ -72,8 +79,16 @@ VertexId& VertexTable::slot(const std::array<double, 3>& key, const exact::Point
   }
 }
 
-void VertexTable::grow() {
-  std::vector<VertexId> old(slots_.size() * 2, none);
+void VertexTable::reserve(std::size_t more, std::size_t derived) {
+  const std::size_t n = size() + more;
+  approximations_.reserve(n);
+  derived_.reserve(n);
+  points_.reserve(points_.size() + derived);
+  if (n * 2 > slots_.size()) grow(std::bit_ceil(n * 2));
+}
+
+void VertexTable::grow(std::size_t slots) {
+  Array<VertexId> old(slots, none);
   slots_.swap(old);
   const std::size_t mask = slots_.size() - 1;
   for (const VertexId v : old) {
@@ -92,7 +107,7 @@ VertexId VertexTable::insert(const std::array<double, 3>& key, const exact::Poin
   s = v;
   derived_.push_back(exact ? static_cast<std::uint32_t>(points_.size()) : none);
   if (exact) points_.push_back(*exact);
-  if (approximations_.size() * 2 > slots_.size()) grow();
+  if (approximations_.size() * 2 > slots_.size()) grow(slots_.size() * 2);
   return v;
 }
 

@@ -45,13 +45,15 @@ class PlaneTable {
   const exact::Plane& operator[](PlaneId id) const { return planes_[id]; }
   const exact::PlaneApproximation& approximation(PlaneId id) const { return approximations_[id]; }
   std::size_t size() const { return planes_.size(); }
+  /// Room for so many more.
+  void reserve(std::size_t more);
 
  private:
-  void grow();
+  void grow(std::size_t slots);
 
   ById<PlaneId, exact::Plane> planes_;
   ById<PlaneId, exact::PlaneApproximation> approximations_;
-  std::vector<PlaneId> slots_ = std::vector<PlaneId>(64, none);  // open addressing
+  Array<PlaneId> slots_ = Array<PlaneId>(64, none);  // open addressing
 };
 
 /// Distinct points. Points with integer coordinates are grid points, however they arose.
@@ -64,6 +66,8 @@ class VertexTable {
   VertexId id(const Body& body, std::uint32_t v);
 
   std::size_t size() const { return approximations_.size(); }
+  /// Room for so many more, of which `derived` are no grid points.
+  void reserve(std::size_t more, std::size_t derived);
   const std::array<double, 3>& approximation(VertexId v) const { return approximations_[v]; }
   bool is_grid(VertexId v) const { return derived_[v] == none; }
   /// Precondition: is_grid(v).
@@ -84,20 +88,20 @@ class VertexTable {
 
  private:
   VertexId& slot(const std::array<double, 3>& key, const exact::Point* exact);
-  void grow();
+  void grow(std::size_t slots);
   VertexId insert(const std::array<double, 3>& key, const exact::Point* exact);
   int exact_side(VertexId v, const exact::Plane& p) const;
 
   ById<VertexId, std::array<double, 3>> approximations_;
   ById<VertexId, std::uint32_t> derived_;  // index into points_, none for grid points
-  std::vector<exact::Point> points_;
-  std::vector<VertexId> slots_;  // open addressing over the approximations
+  Array<exact::Point> points_;
+  Array<VertexId> slots_;  // open addressing over the approximations
 };
 
 /// Which vertices of one operand are in the table of vertices.
 struct OperandNames {
-  std::vector<VertexId> name_of;      // by own vertex, none where it has no name; empty where none has
-  std::vector<std::uint32_t> listed;  // the own vertices that have a name
+  Array<VertexId> name_of;      // by own vertex, none where it has no name; empty where none has
+  Array<std::uint32_t> listed;  // the own vertices that have a name
 
   VertexId of(std::uint32_t v) const { return name_of.empty() ? VertexId(none) : name_of[v]; }
 };

@@ -41,6 +41,26 @@ void OutlineMaker::add_segment(const ContactSegment& s) {
   outline_.segments.push_back({forward ? s.a : s.b, forward ? s.b : s.a, s.line, none, 0});
 }
 
+void OutlineMaker::add_lone_face(TouchedId face, std::span<const ContactSegment> all,
+                                 std::span<const std::uint32_t> segments) {
+  add_face(face);
+  auto& start = outline_.change_start;
+  for (const Segment& s : outline_.segments) {
+    start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
+    outline_.changes.push_back({face, s.change});
+  }
+
+  const std::uint32_t first = touched_.faces[face].edges_begin;
+  for (const std::uint32_t i : segments) {
+    const ContactSegment& s = all[i];
+    add_segment(s);
+    start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
+    if (s.at_a != inside_face) outline_.splits.push_back({s.at_a - first, s.a});
+    if (s.at_b != inside_face) outline_.splits.push_back({s.at_b - first, s.b});
+  }
+  start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
+}
+
 void OutlineMaker::unite_equal_segments() {
   auto& segments = outline_.segments;
   std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
@@ -98,7 +118,7 @@ void OutlineMaker::close_pairs(Visit visit) const {
     return;
   }
 
-  std::vector<BoxTree::Item> items(total);
+  Array<BoxTree::Item> items(total);
   for (std::uint32_t i = 0; i < total; ++i) {
     const auto [a, b] = ends(i);
     items[i].id = i;

@@ -47,6 +47,9 @@ class OutlineMaker {
   void add_face(TouchedId face);
   void add_segment(const ContactSegment& s);
   void add_point(VertexId v) { outline_.points.push_back(v); }
+  /// Instead of all that: one face of a clean operand, and segments in which the faces of one other clean operand meet
+  /// it, their ends' places known. They meet nothing but in their ends.
+  void add_lone_face(TouchedId face, std::span<const ContactSegment> all, std::span<const std::uint32_t> segments);
   /// Finds where segments cross, touch and overlap. Points where they cross stay in the outline until they get names.
   void find_splits();
 

@@ -42,7 +42,7 @@ std::uint32_t glue_over_vertices(const PatchPart& part) {
   const auto chunks = part.operands.chunks_of(part.operand);
   Box around;  // near faces that are not touched
   grid::Partition parts(body.vertex_count());
-  std::vector<std::uint8_t> is_near(body.vertex_count());
+  Array<std::uint8_t> is_near(body.vertex_count());
   for (const OperandChunk& c : chunks)
     if (!c.far)
       part.for_untouched(c, [&](std::uint32_t f) {
@@ -68,7 +68,7 @@ std::uint32_t glue_over_vertices(const PatchPart& part) {
   std::uint32_t count = 0;
   if (std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; }))
     part.out.far[part.operand] = count++;
-  std::vector<std::uint32_t> patch(body.vertex_count(), none);
+  Array<std::uint32_t> patch(body.vertex_count(), none);
   if (anchor != none) patch[parts.find(anchor)] = 0;
   for (const OperandChunk& c : chunks)
     if (!c.far)
@@ -99,7 +99,7 @@ std::uint32_t glue_over_edges(const PatchPart& part) {
   });
 
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> patch(body.face_count(), none);
+  Array<std::uint32_t> patch(body.face_count(), none);
   part.for_untouched([&](std::uint32_t f) { part.assign(f, patch[parts.find(f)], count); });
   return count;
 }

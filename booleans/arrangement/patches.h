@@ -13,14 +13,14 @@ struct CrowdedEdge {
 };
 
 struct Patches {
-  ById<FaceId, NodeId> of;            // none for touched faces
-  std::vector<OperandId> operand_of;  // by patch: node - first
-  NodeId first;                       // patches follow the facets
+  ById<FaceId, NodeId> of;      // none for touched faces
+  Array<OperandId> operand_of;  // by patch: node - first
+  NodeId first;                 // patches follow the facets
   /// Per operand: the patch of the untouched faces of far chunks, and of those that hang together with them; none
   /// without far chunks. Where touched faces reach through all of these it has no face. In front of it (of an operand
   /// that is full at infinity: behind it) all is as at infinity.
   ById<OperandId, NodeId> far;
-  ById<OperandId, std::vector<CrowdedEdge>> crowded;
+  ById<OperandId, Array<CrowdedEdge>> crowded;
 
   OperandId operand(NodeId patch) const { return operand_of[patch.value - first.value]; }
   std::uint32_t node_count() const { return first.value + static_cast<std::uint32_t>(operand_of.size()); }

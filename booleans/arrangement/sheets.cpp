@@ -11,8 +11,8 @@ namespace quoin::booleans {
 
 namespace {
 
-/// The facet on the inner side of the first edge of a face, which is on its outer loop. Of a clean operand it runs as it
-/// did; none where other faces of a trusted one cut it.
+/// The facet on the inner side of the first edge of a face, which is on its outer loop. Of a clean operand it runs as
+/// it did; none where other faces of a trusted one cut it.
 FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) {
   const BoundaryEdge& e = touched.edges_of(face)[0];
   const auto find = [&](VertexId a, VertexId b) -> std::uint32_t {
@@ -31,7 +31,7 @@ FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) 
 
 }  // namespace
 
-Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const Touched& touched,
+Sheets::Sheets(ById<SheetId, Sheet> sheets, Array<SheetLists> lists, const Touched& touched,
                const ById<PlaneId, SheetId>& sheet_of)
     : sheets_(std::move(sheets)), lists_(std::move(lists)) {
   for (const Sheet& s : sheets_) {
@@ -55,7 +55,7 @@ Sheets::Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const
 namespace {
 
 /// Those of facets first .. last - 1.
-std::span<const SparedFace> within(const std::vector<SparedFace>& spared, NodeId first, NodeId last) {
+std::span<const SparedFace> within(const Array<SparedFace>& spared, NodeId first, NodeId last) {
   const auto at = [&](NodeId n) {
     return std::lower_bound(spared.begin(), spared.end(), n,
                             [](const SparedFace& x, NodeId facet) { return x.facet < facet; });
@@ -93,6 +93,22 @@ struct Plan {
   }
 };
 
+/// Is a sheet one face of a clean operand, met by faces of one other operand, clean too, in segments whose ends' places
+/// are known? Faces of a clean operand meet in common edges and vertices only, so these segments meet in common ends
+/// only, and end on the face's boundary or where another one goes on.
+bool is_lone_face(const Touched& touched, const Contacts& contacts, std::span<const std::uint32_t> faces,
+                  std::span<const std::uint32_t> segments, std::span<const std::uint32_t> points) {
+  if (!touched.cover_once || faces.size() != 1 || !points.empty() || segments.empty()) return false;
+  const TouchedId face = faces[0];
+  if (!touched.isolated_of(face).empty()) return false;
+  const OperandId other = contacts.segments[segments[0]].other;
+  if (other == touched.faces[face].operand) return false;
+  return std::all_of(segments.begin(), segments.end(), [&](std::uint32_t i) {
+    const ContactSegment& s = contacts.segments[i];
+    return s.other == other && s.at_a != unknown_place;
+  });
+}
+
 /// Where a sheet's lists begin, until all that share the lists are drawn.
 struct Extent {
   std::size_t element, cover_start, cover, isolated;
@@ -114,8 +130,8 @@ struct Batch {
     Outline outline;
   };
   SheetLists lists;
-  std::vector<Drawn> drawn;
-  std::vector<Open> open;  // sheets that wait for the names of new points
+  Array<Drawn> drawn;
+  Array<Open> open;  // sheets that wait for the names of new points
 
   void add(SheetId sheet, const Names& names, Outline& outline, Drawing& drawing) {
     drawn.push_back({sheet, Extent(lists)});
@@ -151,16 +167,20 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
 
   // Sheets whose segments cross in new points wait until these have names.
   const std::size_t length = grid::stretch(64);
-  std::vector<Batch> batches((n + length - 1) / length);
+  Array<Batch> batches((n + length - 1) / length);
   grid::in_stretches(n, length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Desk& desk = desks.local();
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
       sheets[i].plane = plan.plane[i];
       OutlineMaker maker(touched, names, plan.plane[i], desk.outline);
-      for (const std::uint32_t f : plan.faces[i]) maker.add_face(f);
-      for (const std::uint32_t s : plan.segments[i]) maker.add_segment(contacts.segments[s]);
-      for (const std::uint32_t p : plan.points[i]) maker.add_point(contacts.points[p].vertex);
-      maker.find_splits();
+      if (is_lone_face(touched, contacts, plan.faces[i], plan.segments[i], plan.points[i])) {
+        maker.add_lone_face(plan.faces[i][0], contacts.segments, plan.segments[i]);
+      } else {
+        for (const std::uint32_t f : plan.faces[i]) maker.add_face(f);
+        for (const std::uint32_t s : plan.segments[i]) maker.add_segment(contacts.segments[s]);
+        for (const std::uint32_t p : plan.points[i]) maker.add_point(contacts.points[p].vertex);
+        maker.find_splits();
+      }
       if (desk.outline.new_points.empty())
         batches[b].add(i, names, desk.outline, desk.drawing);
       else
@@ -176,7 +196,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
     for (auto& open : batches[b].open) batches[b].add(open.sheet, names, open.outline, desks.local().drawing);
   });
 
-  std::vector<SheetLists> lists;
+  Array<SheetLists> lists;
   for (Batch& batch : batches) {
     batch.finish(sheets);
     lists.push_back(std::move(batch.lists));  // vectors keep their items where they are

@@ -40,12 +40,12 @@ struct Sheet {
 
 /// The lists of many sheets, one after the other.
 struct SheetLists {
-  std::vector<Sheet::Element> elements;
-  std::vector<std::uint32_t> clockwise;
-  std::vector<FacetId> facet;
-  std::vector<std::uint32_t> cover_start;
-  std::vector<TouchedId> cover;
-  std::vector<Sheet::Isolated> isolated;
+  Array<Sheet::Element> elements;
+  Array<std::uint32_t> clockwise;
+  Array<FacetId> facet;
+  Array<std::uint32_t> cover_start;
+  Array<TouchedId> cover;
+  Array<Sheet::Isolated> isolated;
 };
 
 /// A touched face with spared loops, and the facet of its outer loop, in which they lie; none where a trusted operand
@@ -60,7 +60,7 @@ class Sheets {
  public:
   Sheets() = default;
   /// `sheets` refer to `lists`; `sheet_of`: by plane.
-  Sheets(ById<SheetId, Sheet> sheets, std::vector<SheetLists> lists, const Touched& touched,
+  Sheets(ById<SheetId, Sheet> sheets, Array<SheetLists> lists, const Touched& touched,
          const ById<PlaneId, SheetId>& sheet_of);
 
   std::size_t size() const { return sheets_.size(); }
@@ -88,11 +88,11 @@ class Sheets {
 
  private:
   ById<SheetId, Sheet> sheets_;
-  std::vector<SheetLists> lists_;
+  Array<SheetLists> lists_;
   ById<SheetId, NodeId> first_node_ = {NodeId(0)};           // plus the total
   ById<SheetId, ElementId> first_element_ = {ElementId(0)};  // plus the total
   ById<NodeId, SheetId> sheet_of_;
-  std::vector<SparedFace> spared_;  // by facet
+  Array<SparedFace> spared_;  // by facet
 };
 
 /// Draws a sheet for each plane that has touched faces. New crossing points get names in the order of the sheets.

@@ -16,12 +16,12 @@ struct TouchedPart {
     std::uint32_t from, to, face;  // own vertices, own face
   };
   ById<TouchedId, TouchedFace> faces;  // their planes are to come; ranges count from this part's first
-  std::vector<exact::Plane> planes;    // those of the faces, then others
-  std::vector<Edge> edges;
-  std::vector<std::uint32_t> isolated;  // own vertices
-  std::vector<std::uint32_t> spared;    // own loops
-  std::vector<Use> untouched;
-  std::vector<std::uint32_t> members;  // own faces
+  Array<exact::Plane> planes;          // those of the faces, then others
+  Array<Edge> edges;
+  Array<std::uint32_t> isolated;  // own vertices
+  Array<std::uint32_t> spared;    // own loops
+  Array<Use> untouched;
+  Array<std::uint32_t> members;  // own faces
 };
 
 bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q || p == q.opposite(); }
@@ -70,8 +70,8 @@ class Collector {
   /// A face with a vertex that is drawn has that vertex in one of the boxes: the first holds all faces whose loops are
   /// all drawn; what else is drawn is little.
   void index(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named) {
-    std::vector<std::uint8_t> marked(body_.vertex_count());
-    std::vector<Box> boxes(1);
+    Array<std::uint8_t> marked(body_.vertex_count());
+    Array<Box> boxes(1);
     for (const std::uint32_t f : named) {
       const bool is_whole = f < body_.triangles.size() || !spared_.find(body_.polygon(f));
       if (is_whole) boxes[0].add(face_box(body_, f));
@@ -84,7 +84,7 @@ class Collector {
     adjacency = std::make_unique<const Adjacency>(body_, std::move(marked), operands.chunks_meeting(operand, boxes));
   }
   /// Of many edges one box is as good.
-  void add_edge(std::uint32_t u, std::uint32_t v, std::vector<Box>& boxes) const {
+  void add_edge(std::uint32_t u, std::uint32_t v, Array<Box>& boxes) const {
     constexpr std::size_t most = 64;
     Box edge;
     body_.add_to(edge, u);
@@ -215,7 +215,7 @@ class Collector {
 
 /// Gives the planes and vertices of a part their names, and adds it.
 void add_part(const Operands& operands, OperandId operand, const TouchedPart& part, Names& names, Touched& out) {
-  std::vector<PlaneId> plane_id;
+  Array<PlaneId> plane_id;
   plane_id.reserve(part.planes.size());
   for (const exact::Plane& p : part.planes) plane_id.push_back(names.planes.id(p));
   const auto name = [&](std::uint32_t v) { return names.name(operands[operand], operand, v); };
@@ -256,8 +256,8 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
 }
 
 /// By operand, ascending: the faces that the pairs name.
-ById<OperandId, std::vector<std::uint32_t>> named_faces(const Operands& operands, const FacePairs& pairs) {
-  ById<OperandId, std::vector<std::uint32_t>> named(operands.bodies.size());
+ById<OperandId, Array<std::uint32_t>> named_faces(const Operands& operands, const FacePairs& pairs) {
+  ById<OperandId, Array<std::uint32_t>> named(operands.bodies.size());
   for (const FacePair& p : pairs)
     for (const FaceId id : p) {
       const OwnFace f = operands.own(id);
@@ -271,7 +271,7 @@ ById<OperandId, std::vector<std::uint32_t>> named_faces(const Operands& operands
 }
 
 std::unique_ptr<const BoxTree> tree_of_edges(const Touched& touched, TouchedId t, const VertexTable& vertices) {
-  std::vector<BoxTree::Item> items;
+  Array<BoxTree::Item> items;
   for (std::uint32_t e = touched.faces[t].edges_begin; e < touched.faces[t].edges_end; ++e) {
     Box box;
     box.add(vertices.approximation(touched.edges[e].from));
@@ -303,8 +303,15 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
     out.adjacency[o] = std::move(collector.adjacency);
   });
 
-  std::size_t faces = 0, edges = 0, members = 0;
-  for (const TouchedPart& p : parts) faces += p.faces.size(), edges += p.edges.size(), members += p.members.size();
+  std::size_t faces = 0, edges = 0, members = 0, planes = 0;
+  for (const TouchedPart& p : parts) {
+    faces += p.faces.size();
+    edges += p.edges.size();
+    members += p.members.size();
+    planes += p.planes.size();
+  }
+  names.planes.reserve(planes);
+  names.vertices.reserve(edges / 2, 0);
   out.faces.reserve(faces);
   out.edges.reserve(edges);
   out.members.reserve(members);

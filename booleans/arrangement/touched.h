@@ -47,14 +47,14 @@ struct Touched {
   ById<TouchedId, TouchedFace> faces;
   /// The operands are clean: each face covers its plane once at most.
   bool cover_once = true;
-  std::vector<BoundaryEdge> edges;
-  std::vector<VertexId> isolated;  // touching vertices inside faces
+  Array<BoundaryEdge> edges;
+  Array<VertexId> isolated;  // touching vertices inside faces
   /// Loops of polygons that are not drawn (spared_loops.h), by their numbers in the operand. The first edge of a face
   /// that has some is on its outer loop.
-  std::vector<std::uint32_t> spared;
-  std::vector<UntouchedUse> untouched;
+  Array<std::uint32_t> spared;
+  Array<UntouchedUse> untouched;
   ById<FaceId, TouchedId> touched_of;  // none where a face is untouched
-  std::vector<FaceId> members;         // the faces that are touched
+  Array<FaceId> members;               // the faces that are touched
   /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
   ById<OperandId, std::unique_ptr<const Adjacency>> adjacency;
   /// Of faces with many edges (Thresholds::large_face), items are indices into edges; null for the others.

@@ -22,7 +22,7 @@ struct Use {
 /// All uses, sorted by (low, high), and the patches that they name.
 struct Uses {
   Patches patches;
-  std::vector<Use> list;
+  Array<Use> list;
 
   /// visit(uses) for the uses of every edge.
   template <class Visit>

@@ -12,9 +12,9 @@ constexpr std::uint32_t table_bit = 0x80000000u;
 /// Copies of raw triangles of one operand. Their corners are `points` of their own, counted from 0, or vertices of the
 /// table, with table_bit.
 struct RawCopies {
-  std::vector<exact::GridPoint> points;
-  std::vector<std::uint32_t> table;  // own vertices that are in the table
-  std::vector<Triangle*> at_table;   // triangles that have such
+  Array<exact::GridPoint> points;
+  Array<std::uint32_t> table;  // own vertices that are in the table
+  Array<Triangle*> at_table;   // triangles that have such
   std::span<Triangle> triangles;
   std::uint32_t first = 0;  // the id of the first point
 };
@@ -33,7 +33,7 @@ std::uint32_t count_raw(const Making& m, const OperandChunk& c) {
 
 Triangle* copy_chunk(Making& m, const OperandChunk& c, Triangle* next, RawCopies& copies) {
   const Body& body = m.a.operands[c.operand];
-  std::vector<std::uint32_t>& names = m.vertices.own_names(c.operand);
+  Array<std::uint32_t>& names = m.vertices.own_names(c.operand);
   bool at_table = false;
   const auto corner = [&](std::uint32_t v) {
     std::uint32_t& name = names[v];
@@ -84,7 +84,7 @@ void name_raw(Making& m, ById<OperandId, RawCopies>& raw) {
     };
     if (r.first > 0 && !r.points.empty()) {
       for (Triangle& t : r.triangles) std::for_each(t.begin(), t.end(), shift);
-      std::vector<std::uint32_t>& names = m.vertices.own_names(o);
+      Array<std::uint32_t>& names = m.vertices.own_names(o);
       std::for_each(names.begin(), names.end(), shift);
     }
     for (Triangle* t : r.at_table)
@@ -98,7 +98,7 @@ void name_raw(Making& m, ById<OperandId, RawCopies>& raw) {
 void copy_raw(Making& m) {
   const auto& chunks = m.a.operands.chunks;
   const std::size_t n = m.a.operands.bodies.size();
-  std::vector<std::uint32_t> start(chunks.size() + 1, static_cast<std::uint32_t>(m.body.triangles.size()));
+  Array<std::uint32_t> start(chunks.size() + 1, static_cast<std::uint32_t>(m.body.triangles.size()));
   grid::in_stretches(chunks.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) start[i + 1] = count_raw(m, chunks[i]);
   });
@@ -137,7 +137,7 @@ template <class Loops, class CornerOf>
 void add_kept_loops(const Making& m, OperandId o, std::uint32_t face, CornerOf corner_of, Loops& loops) {
   const Body& body = m.a.operands[o];
   const bool turned = is_turned(m, o, face);
-  std::vector<decltype(corner_of(0))> corners;
+  Array<decltype(corner_of(0))> corners;
   body.polygons.for_loops(body.polygon(face), [&](std::span<const std::uint32_t> loop) {
     corners.clear();
     for (const std::uint32_t v : loop) corners.push_back(corner_of(v));
@@ -171,7 +171,7 @@ struct Polygon {
 };
 
 /// Copies a polygon that stays; one with a vertex in the table is listed instead.
-void copy_polygon(Making& m, OperandId o, std::uint32_t face, std::vector<Polygon>& near) {
+void copy_polygon(Making& m, OperandId o, std::uint32_t face, Array<Polygon>& near) {
   const auto corners = m.a.operands[o].corners_of(face);
   if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return m.vertices.in_table(o, v); })) {
     near.push_back({o, face});
@@ -194,7 +194,7 @@ void name_spared(Making& m) {
 }
 
 void copy_polygons(Making& m) {
-  std::vector<Polygon> near;
+  Array<Polygon> near;
   for (const OperandChunk& c : m.a.operands.chunks) {
     if (c.operand == m.host || is_raw(m.a.operands, c)) continue;
     const auto first = static_cast<std::uint32_t>(m.body.planes.size());

@@ -2,7 +2,7 @@
 
 namespace quoin::booleans {
 
-void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box) {
+void keep_chunk(Array<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box) {
   if (begin == end) return;
   if (!chunks.empty() && chunks.back().end == begin && end - chunks.back().begin <= grid::thresholds().chunk &&
       chunks.back().box.meets(box)) {
@@ -82,7 +82,7 @@ void keep_host(Making& m) {
   for (const Body* other : operands.bodies) new_points += other == &host ? 0 : other->grid_points.size();
   if (host.grid_points.size() + new_points > host.derived_base()) move_derived(m.body, new_points);
 
-  std::vector<BoxTree::Item> listed;
+  Array<BoxTree::Item> listed;
   for (const std::uint32_t v : m.a.names.operands[m.host].listed) listed.emplace_back().box.add(host.approximation(v));
   const BoxTree table(listed);
   for (const OperandChunk& c : operands.chunks_of(m.host)) {

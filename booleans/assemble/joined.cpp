@@ -6,6 +6,7 @@ namespace {
 /// Adds the merged regions of all sheets to what waits.
 void add_regions(Making& m) {
   const Regions<VertexId> merged = merged_regions(m.a, m.selection);
+  m.waiting.reserve(merged.size(), merged.loops.loop_count(), merged.loops.corners.size());
   for (const auto& [region, face] : merged.spared) m.waiting.spared.push_back({m.waiting.size() + region, face});
   for (std::size_t i = 0; i < merged.size(); ++i) {
     merged.loops.for_loops(i, [&](std::span<const VertexId> loop) {
@@ -38,6 +39,7 @@ Regions<PlaceId> without_straight_vertices(Making& m) {
     });
 
   Regions<PlaceId> kept;
+  kept.reserve(m.waiting.size(), m.waiting.loops.loop_count(), m.waiting.loops.corners.size());
   for (std::size_t r = 0; r < m.waiting.size(); ++r) {
     m.waiting.loops.for_loops(r, [&](std::span<const PlaceId> loop) {
       const std::size_t before = kept.loops.corners.size();
@@ -57,6 +59,11 @@ ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions<PlaceId>& regions
   ById<PlaceId, std::uint32_t> id(places.size(), none);
   ById<PlaceId, std::uint8_t> needed(places.size());
   for (const PlaceId p : regions.loops.corners) needed[p] = 1;
+  if (m.host == none) {
+    std::size_t derived = 0;
+    for (const PlaceId i : Ids<PlaceId>(places.size())) derived += needed[i] && !m.vertices.is_grid(places[i]);
+    m.body.points.reserve(m.body.points.size() + derived);
+  }
 
   for (const bool grid : {true, false})
     for (const PlaceId i : Ids<PlaceId>(places.size())) {
@@ -103,6 +110,11 @@ Box box_of_corners(const Body& body, std::size_t first) {
 void write(Making& m, const Regions<PlaceId>& regions, const ById<PlaceId, std::uint32_t>& id) {
   Body& body = m.body;
   const auto grid_count = static_cast<std::uint32_t>(body.grid_points.size());
+  if (m.host == none) {
+    body.planes.reserve(body.planes.size() + regions.size());
+    body.polygons.reserve(body.planes.size() + regions.size(), body.polygons.loop_count() + regions.loops.loop_count(),
+                          body.polygons.corners.size() + regions.loops.corners.size());
+  }
   auto spared = regions.spared.begin();
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const auto corners = regions.loops.corners_of(i);

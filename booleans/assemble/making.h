@@ -16,12 +16,12 @@ struct Making {
   /// Faces that wait until all are known.
   Regions<PlaceId> waiting;
   /// Untouched faces of the host that stay, but not as they are; own numbers.
-  std::vector<std::uint32_t> changed;
+  Array<std::uint32_t> changed;
   /// Of copied faces; polygons count from the first polygon.
-  std::vector<Chunk> raw_chunks, polygon_chunks;
+  Array<Chunk> raw_chunks, polygon_chunks;
   std::uint32_t listed_polygons = 0;  // polygons before this one are in chunks
   /// Chunks of one polygon each, which has spared loops, counted from the first polygon.
-  std::vector<Chunk> spared_chunks;
+  Array<Chunk> spared_chunks;
 
   Making(const Arrangement& arrangement, const Selection& s, OperandId host_operand)
       : a(arrangement), selection(s), host(host_operand), vertices(arrangement, host_operand, body) {}
@@ -51,7 +51,7 @@ struct Making {
 };
 
 /// Adds a chunk of the faces begin .. end - 1, those that stay of one chunk; short ones that follow each other are one.
-void keep_chunk(std::vector<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box);
+void keep_chunk(Array<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, const Box& box);
 
 /// An operand whose lists the result may share: all of it but little lies far from the others and stays; else none.
 OperandId find_host(const Arrangement& a, const Selection& selection);

@@ -126,24 +126,32 @@ class Merger {
   const std::int8_t* kept_ = nullptr;      // of the sheet's facets
   const std::uint8_t* kept_at_ = nullptr;  // of its elements
   grid::Partition groups_{0};              // of facets
-  std::vector<std::uint32_t> region_of_;   // per group
+  Array<std::uint32_t> region_of_;         // per group
   std::uint32_t count_ = 0;                // of regions
-  std::vector<Loop> loops_;
-  std::vector<VertexId> corners_;
-  std::vector<std::uint8_t> done_;  // per half-edge
+  Array<Loop> loops_;
+  Array<VertexId> corners_;
+  Array<std::uint8_t> done_;  // per half-edge
 };
 
 }  // namespace
 
 Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selection) {
   const std::size_t length = grid::stretch(256);
-  std::vector<Regions<VertexId>> parts(a.sheets.size() / length + 1);
+  Array<Regions<VertexId>> parts(a.sheets.size() / length + 1);
   grid::in_stretches(a.sheets.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     Merger merger(a, selection);
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) merger.merge(i);
     parts[s] = std::move(merger.regions);
   });
+  std::size_t count = 0, loops = 0, corners = 0;
+  for (const auto& part : parts) {
+    count += part.size();
+    loops += part.loops.loop_count();
+    corners += part.loops.corners.size();
+  }
+
   Regions<VertexId> all = std::move(parts[0]);
+  all.reserve(count, loops, corners);
   for (std::size_t s = 1; s < parts.size(); ++s) all.append(parts[s]);
   return all;
 }

@@ -16,15 +16,20 @@ struct SparedRegion {
 /// Polygons in the making, one after the other.
 template <class Corner>
 struct Regions {
-  std::vector<exact::Plane> planes;  // one a region, outwards
+  Array<exact::Plane> planes;  // one a region, outwards
   grid::Loops<Corner> loops;
-  std::vector<SparedRegion> spared;  // by region
+  Array<SparedRegion> spared;  // by region
 
   std::size_t size() const { return planes.size(); }
   /// The loops that were added since the last region make one.
   void close(const exact::Plane& plane) {
     planes.push_back(plane);
     loops.end_face();
+  }
+  /// Room for all regions of other lists, too.
+  void reserve(std::size_t regions, std::size_t loop_count, std::size_t corners) {
+    planes.reserve(size() + regions);
+    loops.reserve(size() + regions, loops.loop_count() + loop_count, loops.corners.size() + corners);
   }
   /// Adds the regions of another list.
   void append(const Regions& more) {

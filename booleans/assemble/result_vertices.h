@@ -62,7 +62,7 @@ class ResultVertices {
 
   /// By own vertex of an operand that is no host: the name's bits, none, or where else the name is. Copying whole
   /// meshes fills these side by side.
-  std::vector<std::uint32_t>& own_names(OperandId operand) { return own_names_[operand]; }
+  Array<std::uint32_t>& own_names(OperandId operand) { return own_names_[operand]; }
   static constexpr std::uint32_t by_table = none - 1;  // that of its vertex of the table
   static constexpr std::uint32_t listed = none - 2;    // the same, of one that copied raw triangles of its operand have
 
@@ -90,8 +90,8 @@ class ResultVertices {
   ById<VertexId, PlaceId> place_of_table_;
   ById<VertexId, ResultName> name_of_table_;
   ById<VertexId, ResultName> host_name_of_table_;  // none where the host has no such vertex
-  ById<OperandId, std::vector<PlaceId>> place_;    // by own vertex, outside the table
-  ById<OperandId, std::vector<std::uint32_t>> own_names_;
+  ById<OperandId, Array<PlaceId>> place_;          // by own vertex, outside the table
+  ById<OperandId, Array<std::uint32_t>> own_names_;
   std::unordered_map<std::uint32_t, PlaceId> place_in_host_;  // of vertices outside the table
 };
 

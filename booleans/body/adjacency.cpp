@@ -11,7 +11,7 @@ Adjacency::Adjacency(const Body& body) : body_(body) {
   index(body.is_packed ? std::span(&all, 1) : std::span<const Chunk>(body.chunks));
 }
 
-Adjacency::Adjacency(const Body& body, std::vector<std::uint8_t> marked, std::span<const Chunk> where)
+Adjacency::Adjacency(const Body& body, Array<std::uint8_t> marked, std::span<const Chunk> where)
     : body_(body), marked_(std::move(marked)) {
   index(where);
 }

@@ -17,7 +17,7 @@ class Adjacency {
   /// Of all vertices.
   explicit Adjacency(const Body& body);
   /// Of the marked vertices only, and of their edges. `where` holds all faces that have one.
-  Adjacency(const Body& body, std::vector<std::uint8_t> marked, std::span<const Chunk> where);
+  Adjacency(const Body& body, Array<std::uint8_t> marked, std::span<const Chunk> where);
 
   bool is_complete() const { return marked_.empty(); }
   bool knows(std::uint32_t v) const { return is_complete() || marked_[v]; }
@@ -62,9 +62,9 @@ class Adjacency {
   }
 
   const Body& body_;
-  std::vector<std::uint8_t> marked_;  // empty: all
-  grid::Buckets<> corners_;           // of triangles (3 t + k), by vertex
-  std::vector<PolygonEdge> edges_;    // both directions, sorted
+  Array<std::uint8_t> marked_;  // empty: all
+  grid::Buckets<> corners_;     // of triangles (3 t + k), by vertex
+  Array<PolygonEdge> edges_;    // both directions, sorted
 };
 
 }  // namespace quoin::booleans

@@ -43,7 +43,7 @@ Box polygon_box(const Body& body, std::uint32_t face) {
 
 /// Appends the chunks of faces of one tier.
 template <class BoxOf>
-void add_chunks_of_stretch(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
+void add_chunks_of_stretch(std::uint32_t begin, std::uint32_t end, Array<Chunk>& chunks, BoxOf box_of) {
   while (begin < end) {
     WideBox all = box_of(begin);
     std::uint32_t next = begin + 1;
@@ -58,11 +58,11 @@ void add_chunks_of_stretch(std::uint32_t begin, std::uint32_t end, std::vector<C
 }
 
 template <class BoxOf>
-void add_chunks(std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks, BoxOf box_of) {
+void add_chunks(std::uint32_t begin, std::uint32_t end, Array<Chunk>& chunks, BoxOf box_of) {
   if (begin >= end) return;
 
   const std::size_t length = grid::stretch(std::size_t{1} << 15);
-  std::vector<std::vector<Chunk>> parts((end - begin - 1) / length);  // behind the first
+  Array<Array<Chunk>> parts((end - begin - 1) / length);  // behind the first
   grid::in_stretches(end - begin, length, [&](std::size_t s, std::size_t from, std::size_t to) {
     add_chunks_of_stretch(begin + static_cast<std::uint32_t>(from), begin + static_cast<std::uint32_t>(to),
                           s == 0 ? chunks : parts[s - 1], box_of);
@@ -76,7 +76,7 @@ Box face_box(const Body& body, std::uint32_t face) {
   return face < body.triangles.size() ? triangle_box(body, face).box() : polygon_box(body, face);
 }
 
-void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks) {
+void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, Array<Chunk>& chunks) {
   const auto triangles = static_cast<std::uint32_t>(body.triangles.size());
   add_chunks(begin, std::min(end, triangles), chunks, [&](std::uint32_t f) { return triangle_box(body, f); });
   add_chunks(std::max(begin, triangles), end, chunks, [&](std::uint32_t f) { return WideBox(polygon_box(body, f)); });
@@ -89,7 +89,7 @@ Body packed(const Body& body) {
   r.full_at_infinity = body.full_at_infinity;
   r.is_proved = body.is_proved;
   constexpr std::uint32_t derived = 1u << 31;  // until the number of grid points is known
-  std::vector<std::uint32_t> name(body.vertex_count(), none);
+  Array<std::uint32_t> name(body.vertex_count(), none);
   const auto named = [&](std::uint32_t v) {
     if (name[v] != none) return name[v];
     if (body.is_grid(v)) {
@@ -181,8 +181,8 @@ namespace {
 
 /// Clips one box face (a convex loop of corner ids 0..7) by the plane; crossings come from `crossing(u, v)`.
 template <class Side, class Crossing>
-std::vector<std::uint32_t> clipped_loop(const std::array<std::uint32_t, 4>& quad, Side side, Crossing crossing) {
-  std::vector<std::uint32_t> loop;
+Array<std::uint32_t> clipped_loop(const std::array<std::uint32_t, 4>& quad, Side side, Crossing crossing) {
+  Array<std::uint32_t> loop;
   grid::for_loop_edges(quad, [&](std::uint32_t u, std::uint32_t v) {
     if (side(u) <= 0) loop.push_back(u);
     if (side(u) * side(v) < 0) loop.push_back(crossing(u, v));
@@ -206,7 +206,7 @@ Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, con
 
   Body r;
   r.grid_points = box.grid_points;
-  std::vector<std::array<std::uint32_t, 3>> crossings;  // edge (u < v) -> vertex
+  Array<std::array<std::uint32_t, 3>> crossings;  // edge (u < v) -> vertex
   const auto crossing = [&](std::uint32_t u, std::uint32_t v) {
     if (u > v) std::swap(u, v);
     for (const auto& c : crossings)
@@ -219,14 +219,14 @@ Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, con
   };
 
   const auto side = [&](std::uint32_t v) { return sides[v]; };
-  const auto emit = [&](const exact::Plane& p, const std::vector<std::uint32_t>& loop) {
+  const auto emit = [&](const exact::Plane& p, const Array<std::uint32_t>& loop) {
     r.planes.push_back(p);
     r.polygons.add_loop(loop);
     r.polygons.end_face();
   };
 
   // The cap's directed edges are the reverses of the clipped faces' edges that lie on the plane.
-  std::vector<std::array<std::uint32_t, 2>> cap;
+  Array<std::array<std::uint32_t, 2>> cap;
   for (std::size_t f = 0; f < 6; ++f) {
     const auto &t = box.triangles[2 * f], &s = box.triangles[2 * f + 1];
     const auto loop = clipped_loop({t[0], t[1], t[2], s[2]}, side, crossing);
@@ -240,7 +240,7 @@ Body half_space_body(const exact::Plane& plane, const exact::GridPoint& low, con
     });
   }
 
-  std::vector<std::uint32_t> loop{cap[0][0]};
+  Array<std::uint32_t> loop{cap[0][0]};
   for (std::uint32_t at = cap[0][1]; at != loop[0];) {
     loop.push_back(at);
     at = (*std::find_if(cap.begin(), cap.end(), [&](const auto& e) { return e[0] == at; }))[1];

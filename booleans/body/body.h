@@ -13,6 +13,8 @@
 
 namespace quoin::booleans {
 
+using grid::Array;
+
 /// "No element" for every 32-bit index.
 inline constexpr std::uint32_t none = 0xFFFFFFFFu;
 
@@ -56,7 +58,7 @@ struct Body {
   bool full_at_infinity = false;
   /// All faces in order, or, of a packed body, nothing: kept so that the next operation need not look at faces far from
   /// it.
-  std::vector<Chunk> chunks;
+  Array<Chunk> chunks;
 
   /// Bounds of ids, and numbers if the body is packed.
   std::size_t vertex_count() const { return derived_base() + points.size(); }
@@ -124,7 +126,7 @@ struct Body {
 Box face_box(const Body& body, std::uint32_t face);
 
 /// Appends the chunks of the faces begin .. end - 1.
-void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, std::vector<Chunk>& chunks);
+void add_chunks(const Body& body, std::uint32_t begin, std::uint32_t end, Array<Chunk>& chunks);
 
 /// The same solid without what is in no chunk, and with derived points after the last grid point.
 Body packed(const Body& body);

@@ -58,9 +58,9 @@ grid::Partition merged_faces(const Body& body, std::span<HalfEdge> edges) {
 // 3. Needed vertices
 
 /// The vertices that must be: those with more than two neighbours along kept edges. One with two lies inside an edge.
-std::vector<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::size_t vertex_count) {
-  std::vector<std::array<std::uint32_t, 2>> neighbours(vertex_count, {none, none});
-  std::vector<std::uint8_t> needed(vertex_count);
+Array<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::size_t vertex_count) {
+  Array<std::array<std::uint32_t, 2>> neighbours(vertex_count, {none, none});
+  Array<std::uint8_t> needed(vertex_count);
   const auto add = [&](std::uint32_t v, std::uint32_t w) {
     auto& n = neighbours[v];
     if (n[0] == none || n[0] == w)
@@ -79,10 +79,10 @@ std::vector<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::
 }
 
 /// Needed vertices where edges between merged faces have gone and none of the merged face's own has stayed.
-std::vector<PointInFace> points_inside(std::span<const HalfEdge> edges, grid::Partition& merged,
-                                       const std::vector<std::uint8_t>& needed) {
-  std::vector<PointInFace> inside, on_boundary;
-  std::vector<std::uint8_t> in_some(needed.size());
+Array<PointInFace> points_inside(std::span<const HalfEdge> edges, grid::Partition& merged,
+                                 const Array<std::uint8_t>& needed) {
+  Array<PointInFace> inside, on_boundary;
+  Array<std::uint8_t> in_some(needed.size());
   for (const HalfEdge& e : edges) {
     if (e.kept || !needed[e.from]) continue;
     inside.push_back({merged.find(e.face), e.from});
@@ -96,15 +96,15 @@ std::vector<PointInFace> points_inside(std::span<const HalfEdge> edges, grid::Pa
   std::sort(inside.begin(), inside.end());
   inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
 
-  std::vector<PointInFace> r;
+  Array<PointInFace> r;
   std::set_difference(inside.begin(), inside.end(), on_boundary.begin(), on_boundary.end(), std::back_inserter(r));
   return r;
 }
 
 /// The needed vertices inside merged faces, by face: those that the body lists, and those that come with merging.
-std::vector<PointInFace> touching_points(const Body& body, std::span<const HalfEdge> edges, grid::Partition& merged,
-                                         const std::vector<std::uint8_t>& needed) {
-  std::vector<PointInFace> points = points_inside(edges, merged, needed);
+Array<PointInFace> touching_points(const Body& body, std::span<const HalfEdge> edges, grid::Partition& merged,
+                                   const Array<std::uint8_t>& needed) {
+  Array<PointInFace> points = points_inside(edges, merged, needed);
   for (std::uint32_t p = 0; p < body.polygon_count(); ++p)
     body.polygons.for_points(p, [&](std::uint32_t v) {
       if (needed[v]) points.push_back({merged.find(static_cast<std::uint32_t>(body.triangles.size()) + p), v});
@@ -123,8 +123,8 @@ int compare_along(const Body& body, int k, std::uint32_t u, std::uint32_t v) {
 }
 
 /// The needed vertices by exact position.
-std::vector<std::uint32_t> ordered_vertices(const Body& body, const std::vector<std::uint8_t>& needed) {
-  std::vector<std::uint32_t> order;
+Array<std::uint32_t> ordered_vertices(const Body& body, const Array<std::uint8_t>& needed) {
+  Array<std::uint32_t> order;
   for (std::uint32_t v = 0; v < needed.size(); ++v)
     if (needed[v]) order.push_back(v);
   std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
@@ -215,19 +215,19 @@ class Directions {
 
 /// Lists that are used again for every face. All are places among the half-edges of the face.
 struct DividingDesk {
-  std::vector<std::uint32_t> incoming;  // by their ends
-  std::vector<std::uint32_t> next;      // the successor in its loop
+  Array<std::uint32_t> incoming;  // by their ends
+  Array<std::uint32_t> next;      // the successor in its loop
 };
 
 /// The successors of the half-edges `arriving` at a vertex of a face that others leave from `out` to `out_end`.
 void turn_at_pinch(std::span<const HalfEdge> face, std::span<const std::uint32_t> arriving, std::size_t out,
-                   std::size_t out_end, const Directions& directions, std::vector<std::uint32_t>& next) {
+                   std::size_t out_end, const Directions& directions, Array<std::uint32_t>& next) {
   struct Spoke {
     Directions::Direction d;
     bool leaves;
     std::uint32_t edge;
   };
-  std::vector<Spoke> spokes;
+  Array<Spoke> spokes;
   for (std::size_t k = out; k < out_end; ++k)
     spokes.push_back({directions.of(face[k], false), true, static_cast<std::uint32_t>(k)});
   for (const std::uint32_t k : arriving) spokes.push_back({directions.of(face[k], true), false, k});
@@ -297,7 +297,7 @@ void rotate_to_least(std::span<std::uint32_t> loop) {
 /// Puts the loops from `first` on in order: the one with the smallest vertex of the face, which is on its outer loop
 /// and on no other; then by corners.
 void sort_loops(grid::Loops<std::uint32_t>& faces, std::size_t first) {
-  std::vector<std::vector<std::uint32_t>> loops;
+  Array<Array<std::uint32_t>> loops;
   for (std::size_t j = first; j < faces.loop_count(); ++j)
     loops.emplace_back(faces.loop(j).begin(), faces.loop(j).end());
   const auto outer = std::min_element(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
@@ -314,7 +314,7 @@ void sort_loops(grid::Loops<std::uint32_t>& faces, std::size_t first) {
 
 /// Adds the loops of a face, found by following the successors; its vertices by rank, without those that are not
 /// needed.
-void add_loops(std::span<const HalfEdge> face, std::vector<std::uint32_t>& next, const std::vector<std::uint32_t>& rank,
+void add_loops(std::span<const HalfEdge> face, Array<std::uint32_t>& next, const Array<std::uint32_t>& rank,
                grid::Loops<std::uint32_t>& faces) {
   for (std::size_t h = 0; h < face.size(); ++h) {
     if (next[h] == none) continue;
@@ -331,7 +331,7 @@ void add_loops(std::span<const HalfEdge> face, std::vector<std::uint32_t>& next,
 
 /// The merged faces, in the order of their smallest members.
 Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const std::vector<std::uint32_t>& rank) {
+                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank) {
   Boundary r;
   DividingDesk desk;
   for (std::uint32_t f = 0; f < body.face_count(); ++f) {
@@ -358,7 +358,7 @@ Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const Hal
 
 /// Faces by plane, those on one plane by their loops: no two have a loop in common, so the first decides.
 Boundary in_order(const Boundary& traced) {
-  std::vector<std::uint32_t> order(traced.face_count());
+  Array<std::uint32_t> order(traced.face_count());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
     if (const int c = exact::compare(traced.planes[f], traced.planes[g])) return c < 0;
@@ -385,11 +385,11 @@ Canonical canonical(const Body& body) {
   HalfEdges by_lower_vertex = half_edges_of(body);
   const std::span<HalfEdge> edges = by_lower_vertex.items();
   grid::Partition merged = merged_faces(body, edges);
-  const std::vector<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
-  const std::vector<PointInFace> points = touching_points(body, edges, merged, needed);
+  const Array<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
+  const Array<PointInFace> points = touching_points(body, edges, merged, needed);
 
-  const std::vector<std::uint32_t> order = ordered_vertices(body, needed);
-  std::vector<std::uint32_t> rank(body.vertex_count(), none);
+  const Array<std::uint32_t> order = ordered_vertices(body, needed);
+  Array<std::uint32_t> rank(body.vertex_count(), none);
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
 
   const HalfEdges by_face = face_edges(edges, merged, body.face_count());

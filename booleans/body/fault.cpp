@@ -53,10 +53,10 @@ std::optional<std::string> face_fault(const Body& body, std::uint32_t f) {
 }
 
 std::optional<std::string> balance_fault(const Body& body) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
+  Array<std::array<std::uint32_t, 2>> edges;
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
     body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { edges.push_back({u, v}); });
-  const std::vector<grid::OpenEdge> open = grid::open_edges(std::move(edges));
+  const Array<grid::OpenEdge> open = grid::open_edges(std::move(edges));
   if (open.empty()) return std::nullopt;
 
   const auto [low, high] = std::minmax(open[0].from, open[0].to);

@@ -9,6 +9,7 @@
 
 namespace quoin::booleans {
 
+using grid::Array;
 using grid::ById;
 using grid::Ids;
 

@@ -65,14 +65,14 @@ struct Wedge {
 
 /// The wedges of all polygons at grid points that have triangles, too.
 struct Wedges {
-  std::vector<Wedge> list;
+  Array<Wedge> list;
   /// By vertex: a wedge ends at a derived point or is none, as where the polygon touches the vertex or has a straight
   /// angle. Empty without polygons.
-  std::vector<std::uint8_t> is_special;
+  Array<std::uint8_t> is_special;
 
   explicit Wedges(const Body& body) {
     if (body.polygon_count() == 0) return;
-    std::vector<std::uint8_t> has_triangle(body.grid_points.size());
+    Array<std::uint8_t> has_triangle(body.grid_points.size());
     for (const auto& t : body.triangles)
       for (const std::uint32_t v : t) has_triangle[v] = 1;
 
@@ -92,8 +92,8 @@ struct Wedges {
 };
 
 /// The stars that are proved embedded along an axis; all others are `other`.
-std::vector<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
-  std::vector<std::uint8_t> common(mesh.grid_points.size(), 63);  // views that all triangles of the star allow
+Array<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
+  Array<std::uint8_t> common(mesh.grid_points.size(), 63);  // views that all triangles of the star allow
   for (const auto& t : mesh.triangles) {
     const std::uint8_t allowed = views(mesh, t);
     for (std::uint32_t v : t) common[v] &= allowed;
@@ -102,7 +102,7 @@ std::vector<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
 
   // The ray runs along the axis that follows k: a counter-clockwise triangle (v, a, b) has it in its sector when a is
   // on or below it and b above, in the axis after that.
-  std::vector<std::uint8_t> over(mesh.grid_points.size());  // sectors over the ray, at most 2
+  Array<std::uint8_t> over(mesh.grid_points.size());  // sectors over the ray, at most 2
   const auto count = [&](std::uint32_t v, std::uint32_t a, std::uint32_t b, auto&& is_below_or_on) {
     if (common[v] == 0) return;
     const auto view = static_cast<std::size_t>(std::countr_zero(common[v]));
@@ -120,7 +120,7 @@ std::vector<Star> seen_along_axes(const Body& mesh, const Wedges& wedges) {
   for (const Wedge& w : wedges.list)
     count(w.v, w.a, w.b, [&](std::uint32_t x, std::size_t up) { return (x == w.a ? w.to_a : w.to_b)[up] <= 0; });
 
-  std::vector<Star> star_of(mesh.grid_points.size());
+  Array<Star> star_of(mesh.grid_points.size());
   for (std::uint32_t v = 0; v < star_of.size(); ++v) {
     const bool proved = common[v] == 63 || (common[v] != 0 && over[v] == 1);
     star_of[v] = proved ? Star::embedded : Star::other;
@@ -174,9 +174,9 @@ bool is_fan_against(const Vector& d, const Body& mesh, std::uint32_t v, std::spa
 }
 
 /// What the axes left open.
-void look_at_the_rest(const Body& mesh, const Wedges& wedges, std::vector<Star>& star_of) {
+void look_at_the_rest(const Body& mesh, const Wedges& wedges, Array<Star>& star_of) {
   const auto is_wanted = [&](std::uint32_t v) { return star_of[v] == Star::other && wedges.are_plain(v); };
-  std::vector<std::uint32_t> rest;
+  Array<std::uint32_t> rest;
   for (std::uint32_t v = 0; v < star_of.size(); ++v)
     if (is_wanted(v)) rest.push_back(v);
   if (rest.empty()) return;
@@ -198,9 +198,9 @@ void look_at_the_rest(const Body& mesh, const Wedges& wedges, std::vector<Star>&
 
 }  // namespace
 
-std::vector<Star> stars(const Body& body) {
+Array<Star> stars(const Body& body) {
   const Wedges wedges(body);
-  std::vector<Star> star_of = seen_along_axes(body, wedges);
+  Array<Star> star_of = seen_along_axes(body, wedges);
   look_at_the_rest(body, wedges, star_of);
   return star_of;
 }

@@ -23,6 +23,6 @@ enum class Star : std::uint8_t {
 /// have one common edge over it, as two edges over one ray would be covered twice. A polygon has a part in this by the
 /// sector that it fills near its corner; where else it lies does not matter to the triangles.
 /// The six directions of the axes are tried first, in 64 bits, then the sum of the triangles' normals, in 128.
-std::vector<Star> stars(const Body& body);
+Array<Star> stars(const Body& body);
 
 }  // namespace quoin::booleans

@@ -131,7 +131,7 @@ class CornerCollector {
   void add_untouched() {
     const Arrangement& a = open_.a;
     const auto is_wanted = wanted_vertices();
-    std::vector<BoxTree::Item> points(open_.list.size());
+    Array<BoxTree::Item> points(open_.list.size());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].box.add(extremes_[open_.list[i]].at);
     const BoxTree tree(points);
 
@@ -289,7 +289,7 @@ class Shooter {
   /// `from`: where all rays start.
   Shooter(const Arrangement& a, const std::vector<std::array<double, 3>>& from) : targets_(a, region(from)) {
     if (from.size() > grid::thresholds().few_rays) {
-      std::vector<BoxTree::Item> items(targets_.size());
+      Array<BoxTree::Item> items(targets_.size());
       for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets_.box(t), t, t};
       tree_.emplace(items);
     }

@@ -65,7 +65,7 @@ CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expres
     SideId entered;      // through which the walk came, none at infinity
     std::uint32_t next;  // into the cell's sides
   };
-  std::vector<Visit> stack;
+  Array<Visit> stack;
   const auto enter = [&](CellId cell, SideId through) {
     values.set(cell, label);
     stack.push_back({cell, through, 0});

@@ -82,7 +82,7 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 }  // namespace
 
 void Targets::prepare(std::span<const std::uint32_t> targets) {
-  ById<OperandId, std::vector<std::uint8_t>> marked(a_.operands.bodies.size());
+  ById<OperandId, Array<std::uint8_t>> marked(a_.operands.bodies.size());
   ById<OperandId, Box> around(marked.size());
   const auto mark = [&](OperandId operand, std::span<const std::uint32_t> corners, const Box& box) {
     auto& marks = marked[operand];
@@ -102,8 +102,8 @@ void Targets::prepare(std::span<const std::uint32_t> targets) {
 
   for (const OperandId o : a_.operands.ids())
     if (!marked[o].empty())
-      adjacency_[o] =
-          std::make_unique<Adjacency>(a_.operands[o], std::move(marked[o]), a_.operands.chunks_meeting(o, {&around[o], 1}));
+      adjacency_[o] = std::make_unique<Adjacency>(a_.operands[o], std::move(marked[o]),
+                                                  a_.operands.chunks_meeting(o, {&around[o], 1}));
 }
 
 template <class Visit>
@@ -157,9 +157,9 @@ std::size_t Targets::edge_count(std::uint32_t t) const {
 
 const Targets::Searchable& Targets::searchable(std::uint32_t t, const exact::Plane& plane) {
   if (const auto at = searchable_.find(t); at != searchable_.end()) return at->second;
-  std::vector<Edge> edges;
+  Array<Edge> edges;
   for_edges(t, plane, [&](const Edge& e) { edges.push_back(e); });
-  std::vector<BoxTree::Item> items(edges.size());
+  Array<BoxTree::Item> items(edges.size());
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     items[i].id = items[i].group = i;
     items[i].box.add(edges[i].a.approximation);

@@ -55,7 +55,7 @@ class Targets {
     exact::Plane line;
   };
   struct Searchable {
-    std::vector<Edge> edges;
+    Array<Edge> edges;
     BoxTree tree;
   };
   /// visit(operand, loop) for the spared loops that lie in a facet.
@@ -67,8 +67,8 @@ class Targets {
   const Searchable& searchable(std::uint32_t t, const exact::Plane& plane);
 
   const Arrangement& a_;
-  std::vector<Target> targets_;
-  std::vector<Box> boxes_;
+  Array<Target> targets_;
+  Array<Box> boxes_;
   ById<SheetId, grid::Buckets<>> half_edges_;                 // of each sheet, by facet
   std::unordered_map<std::uint32_t, Searchable> searchable_;  // by target
   ById<OperandId, std::unique_ptr<Adjacency>> adjacency_;     // of the prepared polygons

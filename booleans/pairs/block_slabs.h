@@ -26,7 +26,7 @@ struct SearchedFace {
 class BlockSlabs {
  public:
   /// The faces in the tree's order. Both must outlive it.
-  BlockSlabs(const std::vector<SearchedFace>& faces, const BoxTree& tree)
+  BlockSlabs(const Array<SearchedFace>& faces, const BoxTree& tree)
       : faces_(faces), tree_(tree), slab_of_((faces.size() + BoxBlock::width - 1) / BoxBlock::width, none) {}
 
   /// Makes the slab of a block if it has none.
@@ -76,10 +76,10 @@ class BlockSlabs {
   Interval within(std::uint32_t face, const Slab& slab, const Normal& line) const;
   LanePairs apart_along_line(std::uint32_t x, std::uint32_t y, LanePairs left) const;
 
-  const std::vector<SearchedFace>& faces_;
+  const Array<SearchedFace>& faces_;
   const BoxTree& tree_;
-  std::vector<std::uint32_t> slab_of_;
-  std::vector<Slab> slabs_;
+  Array<std::uint32_t> slab_of_;
+  Array<Slab> slabs_;
 };
 
 /// The corners of a box that lie lowest and highest along a direction.

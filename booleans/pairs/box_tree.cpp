@@ -61,7 +61,7 @@ void radix_sort(std::span<Keyed> a, std::span<Keyed> b) {
 
 constexpr std::size_t stretch = std::size_t{1} << 14;
 
-std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTree::Order by) {
+Array<BoxTree::Item> sorted(const Array<BoxTree::Item>& items, BoxTree::Order by) {
   const bool grouped = by == BoxTree::Order::by_group;
   Box all;
   std::size_t groups = 1;
@@ -78,12 +78,12 @@ std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTr
     for (Keyed& x : given.items().subspan(begin, end - begin)) x.first = place(items[x.second].box);
   });
 
-  std::vector<Keyed> order(items.size());
+  Array<Keyed> order(items.size());
   grid::in_tasks(groups, items.size(), [&](std::size_t g) {
     radix_sort(given[g], std::span(order).subspan(given.start(g), given[g].size()));
   });
 
-  std::vector<BoxTree::Item> result(items.size());
+  Array<BoxTree::Item> result(items.size());
   grid::in_stretches(order.size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) result[i] = items[order[i].second];
   });
@@ -92,9 +92,9 @@ std::vector<BoxTree::Item> sorted(const std::vector<BoxTree::Item>& items, BoxTr
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Item>& given, Order order) {
+BoxTree::BoxTree(const Array<Item>& given, Order order) {
   if (given.empty()) return;
-  const std::vector<Item> items = sorted(given, order);
+  const Array<Item> items = sorted(given, order);
   ids_.reserve(items.size());
   for (const Item& x : items) ids_.push_back(x.id);
   levels_.reserve(12);  // 8^11 > 2^32: a level stays where it is while the next is made

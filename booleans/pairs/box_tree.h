@@ -103,10 +103,10 @@ class BoxTree {
     by_group   // the groups (small numbers) one after the other, each by place
   };
 
-  explicit BoxTree(const std::vector<Item>& items, Order order = Order::by_place);
+  explicit BoxTree(const Array<Item>& items, Order order = Order::by_place);
 
   /// Ids in the tree's order: block b holds those from 8 b to 8 b + 7.
-  const std::vector<std::uint32_t>& ids() const { return ids_; }
+  const Array<std::uint32_t>& ids() const { return ids_; }
   /// The box of the i-th item in the tree's order.
   Box box(std::uint32_t i) const { return levels_[0].blocks[i / BoxBlock::width].box(i % BoxBlock::width); }
 
@@ -158,9 +158,9 @@ class BoxTree {
   static constexpr std::uint32_t mixed = none;
   /// Boxes of the items (level 0) or of the blocks of the level below, with the group that all in it share.
   struct Level {
-    std::vector<BoxBlock> blocks;
-    std::vector<std::uint32_t> group;  // of each lane
-    std::uint32_t count;               // of lanes in use
+    Array<BoxBlock> blocks;
+    Array<std::uint32_t> group;  // of each lane
+    std::uint32_t count;         // of lanes in use
   };
   static std::uint32_t lowest(unsigned lanes) { return static_cast<std::uint32_t>(std::countr_zero(lanes)); }
 
@@ -228,8 +228,8 @@ class BoxTree {
     }
   }
 
-  std::vector<std::uint32_t> ids_;
-  std::vector<Level> levels_;
+  Array<std::uint32_t> ids_;
+  Array<Level> levels_;
 };
 
 }  // namespace quoin::booleans

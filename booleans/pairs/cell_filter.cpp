@@ -4,7 +4,7 @@
 
 namespace quoin::booleans {
 
-CellFilter::CellFilter(const Box& all, const std::vector<Box>& sample, std::size_t share, std::size_t work)
+CellFilter::CellFilter(const Box& all, const Array<Box>& sample, std::size_t share, std::size_t work)
     : low_(all.low), high_(all.high) {
   while (cell_count() > std::min(work, std::size_t{1} << 21)) ++shift_;
   const auto coverage = [&] {

@@ -15,7 +15,7 @@ class CellFilter {
  public:
   /// `all` holds all boxes; the sample stands for them, `share` boxes each. `work` bounds the number of cells and the
   /// number of cells that all boxes take together: cells are as fine as that allows.
-  CellFilter(const Box& all, const std::vector<Box>& sample, std::size_t share, std::size_t work);
+  CellFilter(const Box& all, const Array<Box>& sample, std::size_t share, std::size_t work);
 
   void add(const Box& box, std::uint32_t group);
   /// Is there a box of another group in a cell of this one, which was added?

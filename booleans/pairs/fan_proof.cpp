@@ -20,7 +20,7 @@ using Edge = std::array<std::uint32_t, 2>;
 /// Triangles around one vertex that meet each other as they should.
 struct Fan {
   std::uint32_t hub;
-  std::vector<std::uint32_t> triangles;
+  Array<std::uint32_t> triangles;
   exact::Plane plane;               // not reduced
   bool flat;                        // all lie on the plane; else the hub lies above the outer edges
   exact::int128 low = 0, high = 0;  // the least and the greatest value of the plane at the outer edges
@@ -41,13 +41,13 @@ bool is_large(std::size_t fan, const Body& mesh) {
 }
 
 /// The triangles around every vertex that has many of them.
-std::vector<Fan> crowded_stars(const Body& mesh) {
-  std::vector<std::uint32_t> count(mesh.grid_points.size());
+Array<Fan> crowded_stars(const Body& mesh) {
+  Array<std::uint32_t> count(mesh.grid_points.size());
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t v : t) ++count[v];
 
-  std::vector<Fan> stars;
-  std::vector<std::uint32_t>& star_at = count;
+  Array<Fan> stars;
+  Array<std::uint32_t>& star_at = count;
   for (std::uint32_t v = 0; v < count.size(); ++v) {
     const bool large = is_large(count[v], mesh);
     star_at[v] = large ? static_cast<std::uint32_t>(stars.size()) : none;
@@ -91,7 +91,7 @@ struct Sector {
 };
 std::int64_t cross(const Sector::Direction& a, const Sector::Direction& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-std::vector<Sector> sectors(const Body& mesh, const Fan& fan) {
+Array<Sector> sectors(const Body& mesh, const Fan& fan) {
   const std::size_t k = exact::longest_component(fan.plane.n);
   std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
   if (fan.plane.n[k] < 0) std::swap(u, v);
@@ -100,7 +100,7 @@ std::vector<Sector> sectors(const Body& mesh, const Fan& fan) {
     return Sector::Direction{std::int64_t{q[u]} - p[u], std::int64_t{q[v]} - p[v]};
   };
 
-  std::vector<Sector> r;
+  Array<Sector> r;
   for (const std::uint32_t t : fan.triangles) {
     const Edge e = outer_edge(mesh, t, fan.hub);
     r.push_back({direction(e[0]), direction(e[1]), e});
@@ -114,7 +114,7 @@ std::vector<Sector> sectors(const Body& mesh, const Fan& fan) {
 
 /// Do the triangles of a flat fan meet in common edges only? Each ends before the next begins, or where it does.
 bool is_embedded(const Body& mesh, const Fan& flat) {
-  const std::vector<Sector> around = sectors(mesh, flat);
+  const Array<Sector> around = sectors(mesh, flat);
   for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i) {
     const Sector &s = around[i], &next = around[grid::next_in_loop(i, around.size())];
     const std::int64_t after_begin = cross(s.from, next.from), before_end = cross(next.from, s.to);
@@ -147,8 +147,8 @@ std::optional<Fan> cone(const Body& mesh, const Fan& star) {
 }
 
 /// All fans worth a look; flat ones first, as the others ask that they are proved, then by size.
-std::vector<Fan> large_fans(const Body& mesh, const std::vector<Star>& star_of) {
-  std::vector<Fan> fans;
+Array<Fan> large_fans(const Body& mesh, const Array<Star>& star_of) {
+  Array<Fan> fans;
   for (const Fan& star : crowded_stars(mesh)) {
     if (Fan flat = flat_part(mesh, star); is_large(flat.triangles.size(), mesh) && is_embedded(mesh, flat))
       fans.push_back(std::move(flat));
@@ -221,8 +221,8 @@ class FlatSide {
   const Body& mesh_;
   const Fan& fan_;
   WideBox box_;
-  std::vector<Edge> edges_;              // those that face the hub
-  std::vector<std::uint32_t> vertices_;  // without the hub
+  Array<Edge> edges_;              // those that face the hub
+  Array<std::uint32_t> vertices_;  // without the hub
 };
 
 /// A triangle with the values of a plane at its corners.
@@ -268,9 +268,9 @@ struct Leveled {
 
 /// Do all triangles of a cone meet all others as they should? What lies higher than its outer edges somewhere is not
 /// looked at: false. The others meet the cone between the levels of these edges only, where little is left of either.
-bool is_proper(const Body& mesh, const Fan& cone, const std::vector<std::uint8_t>& own_or_proved) {
+bool is_proper(const Body& mesh, const Fan& cone, const Array<std::uint8_t>& own_or_proved) {
   constexpr std::uint32_t own = 0, other = 1;
-  std::vector<BoxTree::Item> items;
+  Array<BoxTree::Item> items;
   Box all;
   for (const std::uint32_t t : cone.triangles) {
     items.push_back({Leveled(mesh, cone.plane, t).between(cone.low, cone.high), t, own});
@@ -291,7 +291,7 @@ bool is_proper(const Body& mesh, const Fan& cone, const std::vector<std::uint8_t
   return proper;
 }
 
-bool is_proper_flat(const Body& mesh, const Fan& flat, const std::vector<std::uint8_t>& own_or_proved) {
+bool is_proper_flat(const Body& mesh, const Fan& flat, const Array<std::uint8_t>& own_or_proved) {
   const FlatSide side(mesh, flat);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (!own_or_proved[t] && !side.meets_properly(t)) return false;
@@ -300,13 +300,13 @@ bool is_proper_flat(const Body& mesh, const Fan& flat, const std::vector<std::ui
 
 }  // namespace
 
-std::vector<std::uint8_t> proved_in_fans(const Body& mesh, const std::vector<Star>& star_of) {
-  const std::vector<Fan> fans = large_fans(mesh, star_of);
+Array<std::uint8_t> proved_in_fans(const Body& mesh, const Array<Star>& star_of) {
+  const Array<Fan> fans = large_fans(mesh, star_of);
   if (fans.empty()) return {};
 
-  std::vector<std::uint8_t> proved(mesh.triangles.size());
+  Array<std::uint8_t> proved(mesh.triangles.size());
   for (const Fan& fan : fans) {
-    std::vector<std::uint8_t> own_or_proved = proved;
+    Array<std::uint8_t> own_or_proved = proved;
     for (const std::uint32_t t : fan.triangles) own_or_proved[t] = 1;
 
     if (fan.flat ? is_proper_flat(mesh, fan, own_or_proved) : is_proper(mesh, fan, own_or_proved))

@@ -21,6 +21,6 @@ namespace quoin::booleans {
 ///     whether its rim lies on a plane or zigzags. A triangle that reaches no higher than these edges meets the star
 ///     between their levels only: boxes of what lies there tell which triangles have to be compared.
 /// O(n) a fan, and O(k log k) for the k triangles between the levels; a fan is as large as the square root of n.
-std::vector<std::uint8_t> proved_in_fans(const Body& mesh, const std::vector<Star>& star_of);
+Array<std::uint8_t> proved_in_fans(const Body& mesh, const Array<Star>& star_of);
 
 }  // namespace quoin::booleans

@@ -33,25 +33,25 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
 /// visit_part(i, visit): visit(item) for the items of part i; `all` holds the `count` items, `factor` times as many
 /// cells may be taken.
 template <class VisitPart>
-std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
-                                      VisitPart visit_part) {
+Array<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
+                                VisitPart visit_part) {
   constexpr std::size_t most_samples = 128;
   const std::size_t length = grid::stretch(256);
   if (count < grid::thresholds().few_boxes) {  // not worth it
-    std::vector<BoxTree::Item> items;
+    Array<BoxTree::Item> items;
     items.reserve(count);
     for (std::size_t i = 0; i < parts; ++i) visit_part(i, [&](const BoxTree::Item& item) { items.push_back(item); });
     return items;
   }
 
   const std::size_t stride = 1 + parts / most_samples;
-  std::vector<Box> sample;
+  Array<Box> sample;
   for (std::size_t i = 0; i < parts; i += stride)
     visit_part(i, [&](const BoxTree::Item& item) { sample.push_back(item.box); });
   if (sample.empty()) sample.push_back(all);
 
   CellFilter cells(all, sample, count / sample.size() + 1, factor * count);
-  std::vector<std::vector<BoxTree::Item>> kept(parts / length + 1);
+  Array<Array<BoxTree::Item>> kept(parts / length + 1);
   grid::in_stretches(parts, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       visit_part(i, [&](const BoxTree::Item& item) {
@@ -66,7 +66,7 @@ std::vector<BoxTree::Item> near_items(std::size_t parts, std::size_t count, cons
 }
 
 /// The faces that may meet one of another operand: chunks are looked at first.
-std::vector<BoxTree::Item> near_faces(const Operands& operands) {
+Array<BoxTree::Item> near_faces(const Operands& operands) {
   Box all;
   std::size_t count = 0;
   for (const OperandChunk& c : operands.chunks)
@@ -92,10 +92,10 @@ std::vector<BoxTree::Item> near_faces(const Operands& operands) {
 }  // namespace
 
 FacePairs foreign_pairs(const Operands& operands) {
-  const std::vector<BoxTree::Item> items = near_faces(operands);
+  const Array<BoxTree::Item> items = near_faces(operands);
   const bool few = operands.bodies.size() <= grid::thresholds().few_operands;
   const BoxTree tree(items, few ? BoxTree::Order::by_group : BoxTree::Order::by_place);
-  std::vector<SearchedFace> faces;
+  Array<SearchedFace> faces;
   faces.reserve(items.size());
   for (const std::uint32_t id : tree.ids()) {
     const OwnFace f = operands.own(FaceId(id));

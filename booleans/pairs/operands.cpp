@@ -4,7 +4,7 @@ namespace quoin::booleans {
 
 Operands::Operands(std::vector<const Body*> list, bool clean) : base{FaceId(0)}, first_chunk{0}, are_clean(clean) {
   bodies.assign(list.begin(), list.end());
-  std::vector<Chunk> made;
+  Array<Chunk> made;
 
   for (const OperandId o : ids()) {
     const Body& body = (*this)[o];
@@ -25,8 +25,8 @@ Operands::Operands(std::vector<const Body*> list, bool clean) : base{FaceId(0)},
   for (OperandChunk& c : chunks) c.far = !may_be_near(c.operand, c.box);
 }
 
-std::vector<Chunk> Operands::chunks_meeting(OperandId operand, std::span<const Box> boxes) const {
-  std::vector<Chunk> found;
+Array<Chunk> Operands::chunks_meeting(OperandId operand, std::span<const Box> boxes) const {
+  Array<Chunk> found;
   for (const OperandChunk& c : chunks_of(operand))
     if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return c.box.meets(b); }))
       found.push_back({own(operand, c.begin), own(operand, c.end), c.box});

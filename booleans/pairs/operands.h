@@ -27,13 +27,13 @@ struct OwnFace {
 
 /// Two faces, smaller id first.
 using FacePair = std::array<FaceId, 2>;
-using FacePairs = std::vector<FacePair>;
+using FacePairs = Array<FacePair>;
 
 /// The bodies that an operation combines. They must outlive it.
 struct Operands {
   ById<OperandId, const Body*> bodies;
   ById<OperandId, FaceId> base;  // first face of each operand, plus the total
-  std::vector<OperandChunk> chunks;
+  Array<OperandChunk> chunks;
   ById<OperandId, std::uint32_t> first_chunk;  // of each operand, plus the total
   ById<OperandId, Box> bounds;                 // of each operand
 
@@ -67,7 +67,7 @@ struct Operands {
     return std::span(chunks).subspan(first_chunk[o], first_chunk[o.value + 1] - first_chunk[o]);
   }
   /// The chunks of one operand, in its own face numbers, that meet one of the boxes.
-  std::vector<Chunk> chunks_meeting(OperandId operand, std::span<const Box> boxes) const;
+  Array<Chunk> chunks_meeting(OperandId operand, std::span<const Box> boxes) const;
 };
 
 }  // namespace quoin::booleans

@@ -14,7 +14,7 @@ namespace {
 /// Triangles that share a vertex whose star is embedded meet as they should: nearly all pairs are of this kind.
 class NeighbourMask {
  public:
-  NeighbourMask(const Body& mesh, const std::vector<Star>& star_of, const std::vector<std::uint32_t>& order)
+  NeighbourMask(const Body& mesh, const Array<Star>& star_of, const Array<std::uint32_t>& order)
       : corners_((order.size() + BoxBlock::width - 1) / BoxBlock::width) {
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -35,7 +35,7 @@ class NeighbourMask {
  private:
   using Block = std::array<std::array<std::uint32_t, BoxBlock::width>, 3>;
 
-  std::vector<Block> corners_;
+  Array<Block> corners_;
 };
 
 }  // namespace
@@ -44,22 +44,22 @@ namespace {
 
 /// Faces of a body, and a tree over them.
 struct OwnFaces {
-  OwnFaces(const Body& body, const std::vector<BoxTree::Item>& items) : tree(items) {
+  OwnFaces(const Body& body, const Array<BoxTree::Item>& items) : tree(items) {
     faces.reserve(items.size());
     for (const std::uint32_t f : tree.ids()) faces.push_back({&body, f});
   }
   BoxTree tree;
-  std::vector<SearchedFace> faces;
+  Array<SearchedFace> faces;
 };
 
 /// Is the face marked? An empty list marks none.
-bool has(const std::vector<std::uint8_t>& marks, std::uint32_t f) { return f < marks.size() && marks[f]; }
+bool has(const Array<std::uint8_t>& marks, std::uint32_t f) { return f < marks.size() && marks[f]; }
 
 }  // namespace
 
-FacePairs improper_pairs(const Body& mesh, const std::vector<Star>& star_of) {
-  const std::vector<std::uint8_t> proved = proved_in_fans(mesh, star_of);
-  std::vector<BoxTree::Item> items;
+FacePairs improper_pairs(const Body& mesh, const Array<Star>& star_of) {
+  const Array<std::uint8_t> proved = proved_in_fans(mesh, star_of);
+  Array<BoxTree::Item> items;
   items.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (!has(proved, t)) items.push_back({face_box(mesh, t), t, t});
@@ -134,7 +134,7 @@ class Prover {
 
   const Body& body_;
   const Adjacency adjacency_;
-  std::vector<std::array<std::uint32_t, 2>> corners_;  // (vertex, polygon), sorted
+  Array<std::array<std::uint32_t, 2>> corners_;  // (vertex, polygon), sorted
 };
 
 }  // namespace
@@ -145,9 +145,9 @@ FacePairs doubtful_pairs(const Body& body) {
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
     if (prover.many_corners(f)) found.push_back({FaceId(f), FaceId(f)});
   // Triangles that are proved to meet all others are a group: what they do with polygons is left to see.
-  const std::vector<Star> star_of = stars(body);
-  const std::vector<std::uint8_t> proved = proved_in_fans(body, star_of);
-  std::vector<BoxTree::Item> items(body.face_count());
+  const Array<Star> star_of = stars(body);
+  const Array<std::uint8_t> proved = proved_in_fans(body, star_of);
+  Array<BoxTree::Item> items(body.face_count());
   for (std::uint32_t f = 0; f < items.size(); ++f)
     items[f] = {face_box(body, f), f, has(proved, f) ? static_cast<std::uint32_t>(items.size()) : f};
 

@@ -10,7 +10,7 @@ namespace quoin::booleans {
 /// Pairs of triangles of one closed mesh that meet anywhere but in a corner or edge that they share, and pairs that
 /// overlap across a shared one. Empty exactly when the triangles are embedded: they meet in common corners and edges
 /// only. `star_of`: the stars of its vertices.
-FacePairs improper_pairs(const Body& mesh, const std::vector<Star>& star_of);
+FacePairs improper_pairs(const Body& mesh, const Array<Star>& star_of);
 
 /// Pairs of faces of one body that may meet anywhere but in corners and edges that both list: a superset of those that
 /// do. Faces of more than three corners are paired with themselves as well: their loops may cross.

@@ -17,7 +17,7 @@ template <class Skip, class Wanted>
 class PairSearch {
  public:
   /// The faces in the tree's order.
-  PairSearch(const std::vector<SearchedFace>& faces, const BoxTree& tree, Skip skip, Wanted wanted)
+  PairSearch(const Array<SearchedFace>& faces, const BoxTree& tree, Skip skip, Wanted wanted)
       : tree_(tree), slabs_(faces, tree), skip_(skip), wanted_(wanted) {}
 
   FacePairs run(BoxTree::Pairs pairs) {
@@ -51,7 +51,7 @@ class PairSearch {
     });
     for (const BlockPair& p : waiting_)
       if (std::popcount(p.lanes) > grid::thresholds().crowded_blocks) slabs_.need(p.x), slabs_.need(p.y);
-    std::vector<FacePairs> found((waiting_.size() + chunk - 1) / chunk);
+    Array<FacePairs> found((waiting_.size() + chunk - 1) / chunk);
     in_parallel(waiting_.size(), [&](std::size_t c, std::size_t i) { test(waiting_[i], found[c]); });
     for (const auto& f : found) found_.insert(found_.end(), f.begin(), f.end());
     waiting_.clear();
@@ -81,7 +81,7 @@ class PairSearch {
   BlockSlabs slabs_;
   const Skip skip_;
   const Wanted wanted_;
-  std::vector<BlockPair> waiting_;
+  Array<BlockPair> waiting_;
   FacePairs found_;
 };
 

@@ -87,7 +87,9 @@ std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, c
                                    Floats floats) {
   const bool to_float = floats == Floats::float32;
   const std::size_t count = mesh.source.size();
-  std::vector<double> points(3 * mesh.vertex_count());
+  std::vector<double> points;
+  grid::reserve_large(points, 3 * mesh.vertex_count());
+  points.resize(3 * mesh.vertex_count());
 
   const grid::Rounder rounder(lattice);
   const auto round = [&](const auto& p, int k) -> double {

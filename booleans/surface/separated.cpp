@@ -20,8 +20,8 @@ using exact::Rational;
 namespace {
 
 /// By vertex: do its triangles form several fans? Empty when those of no vertex do.
-std::vector<std::uint8_t> with_several_fans(const Triangulated& mesh) {
-  std::vector<std::uint8_t> several(mesh.vertex_count());
+Array<std::uint8_t> with_several_fans(const Triangulated& mesh) {
+  Array<std::uint8_t> several(mesh.vertex_count());
   std::atomic<bool> any = false;
   grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
     grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> with_several_fans(const Triangulated& mesh) {
 /// The triangles at the vertices of several fans, as a mesh of their own: only these take part.
 class ManyFans {
  public:
-  ManyFans(const Triangulated& mesh, const std::vector<std::uint8_t>& several) : mesh_(mesh) {
+  ManyFans(const Triangulated& mesh, const Array<std::uint8_t>& several) : mesh_(mesh) {
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto c = mesh.triangle(t);
       if (several[c[0]] || several[c[1]] || several[c[2]]) triangles_.push_back(t);
@@ -139,8 +139,8 @@ grid::Partition fans(const ManyFans& part, const Joints& joints) {
 
 /// The mesh with each fan's vertex its own. Vertices keep their order; the fans of one follow each other in the order
 /// of their first corners.
-Triangulated with_split_vertices(const Triangulated& mesh, const std::vector<std::uint8_t>& several,
-                                 const ManyFans& part, grid::Partition& fan) {
+Triangulated with_split_vertices(const Triangulated& mesh, const Array<std::uint8_t>& several, const ManyFans& part,
+                                 grid::Partition& fan) {
   std::vector<std::array<std::uint32_t, 2>> split;  // (vertex, first corner)
   for (std::uint32_t c = 0; c < part.corner_count(); ++c)
     if (several[part.vertex(c)] && fan.find(c) == c) split.push_back({part.vertex(c), c});
@@ -224,7 +224,8 @@ void add_pieces(const std::array<std::uint32_t, 3>& t, const std::array<std::uin
 /// Cuts the triangles of a mesh at vertices inside their sides; pieces take the place of their triangle.
 void cut_triangles(Triangulated& mesh, std::vector<Cut> cuts) {
   std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.corner < b.corner; });
-  std::vector<std::uint32_t> corners, face;
+  std::vector<std::uint32_t> corners;
+  Array<std::uint32_t> face;
   auto cut = cuts.begin();
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     std::array<std::uint32_t, 3> inside{none, none, none};
@@ -258,7 +259,7 @@ void split_shared_edges(const Body& body, const std::vector<std::vector<Joint>>&
 }  // namespace
 
 Triangulated separated(const Body& body, Triangulated mesh) {
-  const std::vector<std::uint8_t> several = with_several_fans(mesh);
+  const Array<std::uint8_t> several = with_several_fans(mesh);
   if (several.empty()) return mesh;
 
   const ManyFans part(mesh, several);

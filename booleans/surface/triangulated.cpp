@@ -141,19 +141,23 @@ class Triangulator {
   std::vector<std::array<double, 2>> shape_;
 };
 
-void append_numbers(std::vector<std::uint32_t>& list, std::uint32_t begin, std::uint32_t end) {
+void append_numbers(Array<std::uint32_t>& list, std::uint32_t begin, std::uint32_t end) {
   const std::size_t size = list.size();
   list.resize(size + (end - begin));
   std::iota(list.begin() + static_cast<std::ptrdiff_t>(size), list.end(), begin);
 }
 
-/// Adds the raw triangles, of body vertices for now, and returns the polygons.
-std::vector<std::uint32_t> add_triangles(const Body& body, Triangulated& mesh) {
-  const auto raw = static_cast<std::uint32_t>(body.triangles.size());
-  mesh.corners.reserve(3 * std::size_t{raw});
-  mesh.face.reserve(raw);
+/// Room for all triangles: a face of n corners in h loops has fewer than n + 2 h of them.
+void reserve(const Body& body, Triangulated& mesh) {
+  const std::size_t most = body.triangles.size() + body.polygons.corners.size() + 2 * body.polygons.loop_count();
+  grid::reserve_large(mesh.corners, 3 * most);
+  mesh.face.reserve(most);
+}
 
-  std::vector<std::uint32_t> polygons;
+/// Adds the raw triangles, of body vertices for now, and returns the polygons.
+Array<std::uint32_t> add_triangles(const Body& body, Triangulated& mesh) {
+  const auto raw = static_cast<std::uint32_t>(body.triangles.size());
+  Array<std::uint32_t> polygons;
   body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t middle = std::clamp(raw, begin, end);
     append_numbers(mesh.face, begin, middle);
@@ -170,7 +174,7 @@ struct Pieces {
 };
 
 /// Adds the triangles of polygons, of body vertices for now.
-void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, Triangulated& mesh) {
+void add_polygons(const Body& body, const Array<std::uint32_t>& polygons, Triangulated& mesh) {
   const std::size_t batch = grid::stretch(64);
   std::vector<Pieces> batches((polygons.size() + batch - 1) / batch);
   grid::in_stretches(polygons.size(), batch, [&](std::size_t b, std::size_t begin, std::size_t end) {
@@ -182,10 +186,6 @@ void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, 
     }
   });
 
-  std::size_t total = mesh.triangle_count();
-  for (const Pieces& p : batches) total += p.face.size();
-  mesh.corners.reserve(3 * total);
-  mesh.face.reserve(total);
   for (const Pieces& p : batches) {
     mesh.corners.insert(mesh.corners.end(), p.corners.begin(), p.corners.end());
     mesh.face.insert(mesh.face.end(), p.face.begin(), p.face.end());
@@ -194,13 +194,13 @@ void add_polygons(const Body& body, const std::vector<std::uint32_t>& polygons, 
 
 /// Names the body vertices in use by output vertices, in order.
 void number_vertices(const Body& body, Triangulated& mesh) {
-  std::vector<std::uint8_t> used(body.vertex_count());
+  Array<std::uint8_t> used(body.vertex_count());
   for (const std::uint32_t v : mesh.corners) used[v] = 1;
   const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   mesh.source.resize(count);
   if (count == used.size()) return std::iota(mesh.source.begin(), mesh.source.end(), 0u);
 
-  std::vector<std::uint32_t> id(used.size());
+  Array<std::uint32_t> id(used.size());
   for (std::uint32_t v = 0, i = 0; v < used.size(); ++v)
     if (used[v]) mesh.source[i] = v, id[v] = i++;
   for (std::uint32_t& v : mesh.corners) v = id[v];
@@ -210,7 +210,8 @@ void number_vertices(const Body& body, Triangulated& mesh) {
 
 Triangulated triangulated(const Body& body) {
   Triangulated mesh;
-  const std::vector<std::uint32_t> polygons = add_triangles(body, mesh);
+  reserve(body, mesh);
+  const Array<std::uint32_t> polygons = add_triangles(body, mesh);
   add_polygons(body, polygons, mesh);
   number_vertices(body, mesh);
   return mesh;

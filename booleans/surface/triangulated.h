@@ -19,9 +19,9 @@ using RationalPoint = std::array<exact::Rational, 3>;
 /// of raw ones come first, in the body's order, then those of polygons.
 struct Triangulated {
   std::vector<std::uint32_t> corners;  // three a triangle: output vertices, counter-clockwise from outside
-  std::vector<std::uint32_t> face;     // body face of each triangle
-  std::vector<std::uint32_t> source;   // body vertex of each output vertex but the last ones
-  std::vector<RationalPoint> added;    // the last output vertices: inside edges that `separated` had to split
+  Array<std::uint32_t> face;           // body face of each triangle
+  Array<std::uint32_t> source;         // body vertex of each output vertex but the last ones
+  Array<RationalPoint> added;          // the last output vertices: inside edges that `separated` had to split
   std::size_t split_edges = 0;         // how many edges of the body these are
 
   std::size_t triangle_count() const { return face.size(); }

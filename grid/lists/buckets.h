@@ -9,7 +9,8 @@
 #include <memory>
 #include <span>
 #include <utility>
-#include <vector>
+
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -69,17 +70,42 @@ class Buckets {
   }
 
  private:
+  /// n items without a value of their own.
+  class Memory {
+   public:
+    Memory() = default;
+    explicit Memory(std::size_t n) : items_(LargePages<Item>().allocate(n)), size_(n) {
+      std::uninitialized_default_construct_n(items_, n);
+    }
+    Memory(Memory&& other) noexcept
+        : items_(std::exchange(other.items_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+    Memory& operator=(Memory&& other) noexcept {
+      std::swap(items_, other.items_);
+      std::swap(size_, other.size_);
+      return *this;
+    }
+    ~Memory() {
+      if (!items_) return;
+      std::destroy_n(items_, size_);
+      LargePages<Item>().deallocate(items_, size_);
+    }
+    Item* get() const { return items_; }
+    std::size_t size() const { return size_; }
+
+   private:
+    Item* items_ = nullptr;
+    std::size_t size_ = 0;
+  };
+
   std::uint32_t item_count() const { return start_.empty() ? 0 : start_.back(); }
   Item* memory(std::size_t n) {
-    if (items_ && n <= capacity_) return items_.get();  // a moved-from one has no items, but a capacity
-    capacity_ = items_ ? std::max(n, 2 * capacity_) : n;
-    items_ = std::make_unique_for_overwrite<Item[]>(capacity_);
+    if (n <= items_.size()) return items_.get();
+    items_ = Memory(std::max(n, 2 * items_.size()));
     return items_.get();
   }
 
-  std::vector<std::uint32_t> start_;
-  std::unique_ptr<Item[]> items_;
-  std::size_t capacity_ = 0;
+  Array<std::uint32_t> start_;
+  Memory items_;
 };
 
 /// The numbers i = 0 .. n - 1 in `count` buckets by key_of(i), which is asked twice.
@@ -87,15 +113,6 @@ template <class KeyOf>
 Buckets<> in_buckets(std::size_t n, std::size_t count, KeyOf&& key_of) {
   return Buckets<>(count, [&](auto&& visit) {
     for (std::uint32_t i = 0; i < n; ++i) visit(key_of(i), i);
-  });
-}
-
-/// The items themselves, moved into `count` buckets by key_of(item), which is asked twice.
-template <class Item, class KeyOf>
-Buckets<Item> moved_to_buckets(std::span<Item> items, std::size_t count, KeyOf&& key_of) {
-  return Buckets<Item>(count, [&](auto&& visit) {
-    // The first visit leaves them where they are: it takes a reference.
-    for (Item& item : items) visit(key_of(std::as_const(item)), std::move(item));
   });
 }
 

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
+
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -31,11 +32,11 @@ struct Id {
 
 /// A list in which things of one kind are found by their ids.
 template <class Key, class T>
-class ById : public std::vector<T> {
+class ById : public Array<T> {
  public:
-  using std::vector<T>::vector;
-  T& operator[](Key k) { return std::vector<T>::operator[](k.value); }
-  const T& operator[](Key k) const { return std::vector<T>::operator[](k.value); }
+  using Array<T>::vector;
+  T& operator[](Key k) { return Array<T>::operator[](k.value); }
+  const T& operator[](Key k) const { return Array<T>::operator[](k.value); }
   /// The id that the next item gets.
   Key next_id() const { return static_cast<std::uint32_t>(this->size()); }
   /// Appends an item; its id.

@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -31,8 +32,8 @@ void for_loop_edges(const Loop& loop, Visit&& visit) {
 }
 
 /// Faces that follow each other, each with its loops, each with its corners. A loop of one corner is a point inside its
-/// face. `List` is std::vector or a list like it (SharedList).
-template <class Corner, template <class...> class List = std::vector>
+/// face. `List` is Array or a list like it (SharedList).
+template <class Corner, template <class...> class List = Array>
 struct Loops {
   List<std::uint32_t> face_start = {0};  // face i has the loops face_start[i] .. face_start[i + 1] - 1
   List<std::uint32_t> loop_start = {0};  // loop j has the corners loop_start[j] .. loop_start[j + 1] - 1

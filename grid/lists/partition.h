@@ -4,7 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -31,7 +32,7 @@ class Partition {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  Array<std::uint32_t> parent_;
 };
 
 }  // namespace quoin::grid

@@ -10,7 +10,8 @@
 #include <memory>
 #include <span>
 #include <type_traits>
-#include <vector>
+
+#include "grid/lists/array.h"
 
 namespace quoin::grid {
 
@@ -26,7 +27,7 @@ class SharedList {
 
   SharedList() = default;
   SharedList(std::initializer_list<T> items) { append(items.begin(), items.end()); }
-  SharedList(std::vector<T>&& items) : block_(std::make_shared<Block>(std::move(items))) {
+  SharedList(Array<T>&& items) : block_(std::make_shared<Block>(std::move(items))) {
     items_ = block_->items;
     size_ = end_ = block_->size;
   }
@@ -88,15 +89,17 @@ class SharedList {
  private:
   struct Block {
     explicit Block(std::size_t n)
-        : storage(static_cast<T*>(::operator new(n * sizeof(T)))), items(storage), size(n), used(n) {}
-    explicit Block(std::vector<T>&& list)
+        : storage(static_cast<T*>(allocate(n * sizeof(T)))), items(storage), size(n), used(n) {}
+    explicit Block(Array<T>&& list)
         : adopted(std::move(list)), items(adopted.data()), size(adopted.size()), used(size) {}
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
-    ~Block() { ::operator delete(storage); }
+    ~Block() {
+      if (storage) release(storage, size * sizeof(T));
+    }
 
     T* const storage = nullptr;
-    std::vector<T> adopted;
+    Array<T> adopted;
     T* const items;
     const std::size_t size;
     /// Items that belong to some list. A list that ends here may claim the rest.

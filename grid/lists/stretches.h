@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "grid/lists/array.h"
 #include "grid/lists/thresholds.h"
 
 namespace quoin::grid {
@@ -46,11 +47,11 @@ void in_shares(std::size_t count, Visit&& visit) {
 
 /// The lists one after the other, as what was kept by stretch is put together.
 template <class T>
-std::vector<T> joined(const std::vector<std::vector<T>>& lists) {
+Array<T> joined(const Array<Array<T>>& lists) {
   std::size_t total = 0;
   for (const auto& list : lists) total += list.size();
 
-  std::vector<T> all;
+  Array<T> all;
   all.reserve(total);
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;

@@ -84,7 +84,7 @@ TEST(Embedding, TwoBodiesAreCleanWhereTheirBooleanHasTheSameFaces) {
     if (has_flat_edge(both)) continue;
     ASSERT_EQ(fault(both).value_or(""), "");
     const bool clean = canonical(both) == canonical(cavity ? minus(a, b) : any(a, b));
-    std::vector<std::uint32_t> faces;
+    Array<std::uint32_t> faces;
     const auto message = embedding_fault(both, &faces);
     EXPECT_EQ(!message, clean) << message.value_or("");
     EXPECT_EQ(message, embedding_fault(both));
@@ -190,7 +190,7 @@ TEST(Embedding, FacesOfBoxesThatMeetOutOfPlaceAreNamed) {
       for (std::size_t g = f + 1; g < rectangles.size(); ++g)
         is_crossing = is_crossing || meet_out_of_place(rectangles[f], rectangles[g]);
 
-    std::vector<std::uint32_t> faces;
+    Array<std::uint32_t> faces;
     const auto message = embedding_fault(both, &faces);
     ++seen[faces.size()];
     if (is_crossing) {
@@ -229,7 +229,7 @@ TEST(Embedding, FacesOfSeveralPieces) {
   }
   ASSERT_LT(joined.polygon_count(), two.polygon_count());
   ASSERT_EQ(fault(joined).value_or(""), "");
-  std::vector<std::uint32_t> faces;
+  Array<std::uint32_t> faces;
   EXPECT_TRUE(embedding_fault(joined, &faces));
   // The two pieces are of one face, and meet no other out of place.
   EXPECT_EQ(faces.size(), 1u);

@@ -117,9 +117,9 @@ TEST(Examples, CanonicalFormDropsNeedlessVertices) {
   ASSERT_EQ(plain.points.size(), 0u);
   dotted.grid_points.push_back(dot);
   const std::uint32_t end = plain.polygons.loop_start[1];
-  std::vector<std::uint32_t> corners(plain.polygons.corners.begin(), plain.polygons.corners.end());
+  Array<std::uint32_t> corners(plain.polygons.corners.begin(), plain.polygons.corners.end());
   corners.insert(corners.begin() + end, static_cast<std::uint32_t>(plain.grid_points.size()));
-  std::vector<std::uint32_t> loop_corners(plain.polygons.loop_start.begin(), plain.polygons.loop_start.end());
+  Array<std::uint32_t> loop_corners(plain.polygons.loop_start.begin(), plain.polygons.loop_start.end());
   loop_corners.insert(loop_corners.begin() + 1, end);
   for (std::size_t j = 2; j < loop_corners.size(); ++j) ++loop_corners[j];
   dotted.polygons.corners = std::move(corners);

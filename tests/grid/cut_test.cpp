@@ -17,7 +17,7 @@ namespace {
 using exact::GridPoint;
 using exact::int128;
 using Triangle = std::array<std::uint32_t, 3>;
-using Flat = std::vector<std::array<std::int32_t, 2>>;
+using Flat = Array<std::array<std::int32_t, 2>>;
 
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> edge_sum(std::span<const std::uint32_t> loop) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sum;
@@ -29,7 +29,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> edge_sum(std::span<const 
   return sum;
 }
 
-void expect_same_edges(const std::vector<std::uint32_t>& loop, const std::vector<Triangle>& triangles) {
+void expect_same_edges(const Array<std::uint32_t>& loop, const Array<Triangle>& triangles) {
   auto sum = edge_sum(loop);
   for (const Triangle& t : triangles)
     for (const auto& [edge, count] : edge_sum(t)) sum[edge] -= count;
@@ -41,7 +41,7 @@ void check_simple(const Flat& flat) {
   for (int axis = 0; axis < 3; ++axis)
     for (int view = 0; view < 4; ++view) {
       const bool upside_down = view % 2 != 0, sloping = view >= 2;
-      std::vector<GridPoint> points;
+      Array<GridPoint> points;
       for (const auto& p : flat) {
         GridPoint g{};
         g.c[static_cast<std::size_t>((axis + 1) % 3)] = p[0];
@@ -49,10 +49,10 @@ void check_simple(const Flat& flat) {
         g.c[static_cast<std::size_t>(axis)] = sloping ? -p[1] : 7;
         points.push_back(g);
       }
-      std::vector<std::uint32_t> loop(flat.size());
+      Array<std::uint32_t> loop(flat.size());
       std::iota(loop.begin(), loop.end(), 0U);
       if (upside_down) std::reverse(loop.begin(), loop.end());
-      std::vector<Triangle> triangles;
+      Array<Triangle> triangles;
       Cutter cutter(points);
       EXPECT_TRUE(cutter.cut(loop, triangles));
       ASSERT_EQ(triangles.size(), flat.size() - 2);
@@ -134,10 +134,10 @@ TEST(Cut, random_star_shapes) {
 }
 
 TEST(Cut, a_hole_on_a_bridge) {
-  const std::vector<GridPoint> points{{{0, 0, 0}}, {{9, 0, 0}}, {{9, 9, 0}}, {{0, 9, 0}},
-                                      {{3, 3, 0}}, {{3, 6, 0}}, {{6, 6, 0}}, {{6, 3, 0}}};
-  const std::vector<std::uint32_t> loop{0, 1, 2, 3, 0, 4, 5, 6, 7, 4};
-  std::vector<Triangle> triangles;
+  const Array<GridPoint> points{{{0, 0, 0}}, {{9, 0, 0}}, {{9, 9, 0}}, {{0, 9, 0}},
+                                {{3, 3, 0}}, {{3, 6, 0}}, {{6, 6, 0}}, {{6, 3, 0}}};
+  const Array<std::uint32_t> loop{0, 1, 2, 3, 0, 4, 5, 6, 7, 4};
+  Array<Triangle> triangles;
   Cutter cutter(points);
   EXPECT_TRUE(cutter.cut(loop, triangles));
   expect_same_edges(loop, triangles);
@@ -154,10 +154,10 @@ TEST(Cut, a_hole_on_a_bridge) {
 TEST(Cut, polygons_that_are_not_simple_are_right_as_sums) {
   auto random = seeded_generator();
   for (int round = 0; round < 2000; ++round) {
-    std::vector<GridPoint> points;
+    Array<GridPoint> points;
     const std::uint64_t range = 2 + random() % 5;
     const std::size_t n = 4 + random() % 9;
-    std::vector<std::uint32_t> loop;
+    Array<std::uint32_t> loop;
     for (std::uint32_t i = 0; i < range * range; ++i)
       points.push_back({{static_cast<std::int32_t>(i % range), static_cast<std::int32_t>(i / range),
                          round % 2 == 0 ? 0 : static_cast<std::int32_t>(random() % 3)}});
@@ -165,7 +165,7 @@ TEST(Cut, polygons_that_are_not_simple_are_right_as_sums) {
       const auto v = static_cast<std::uint32_t>(random() % points.size());
       if (loop.empty() || (v != loop.back() && (loop.size() + 1 < n || v != loop.front()))) loop.push_back(v);
     }
-    std::vector<Triangle> triangles;
+    Array<Triangle> triangles;
     Cutter cutter(points);
     const bool planar = cutter.cut(loop, triangles);
     EXPECT_TRUE(planar || round % 2 != 0);
@@ -175,14 +175,14 @@ TEST(Cut, polygons_that_are_not_simple_are_right_as_sums) {
 }
 
 TEST(Cut, planarity) {
-  const std::vector<GridPoint> points{{{0, 0, 0}}, {{4, 0, 4}}, {{4, 4, 8}},  {{0, 4, 4}},
-                                      {{0, 4, 5}}, {{8, 0, 8}}, {{12, 0, 12}}};
-  std::vector<Triangle> triangles;
+  const Array<GridPoint> points{{{0, 0, 0}}, {{4, 0, 4}}, {{4, 4, 8}},  {{0, 4, 4}},
+                                {{0, 4, 5}}, {{8, 0, 8}}, {{12, 0, 12}}};
+  Array<Triangle> triangles;
   Cutter cutter(points);
-  EXPECT_TRUE(cutter.cut(std::vector<std::uint32_t>{0, 1, 2, 3}, triangles));
-  EXPECT_FALSE(cutter.cut(std::vector<std::uint32_t>{0, 1, 2, 4}, triangles));
-  EXPECT_TRUE(cutter.cut(std::vector<std::uint32_t>{0, 1, 5, 6}, triangles));  // on a line
-  EXPECT_TRUE(cutter.cut(std::vector<std::uint32_t>{0, 2, 1, 3}, triangles));  // a bow-tie
+  EXPECT_TRUE(cutter.cut(Array<std::uint32_t>{0, 1, 2, 3}, triangles));
+  EXPECT_FALSE(cutter.cut(Array<std::uint32_t>{0, 1, 2, 4}, triangles));
+  EXPECT_TRUE(cutter.cut(Array<std::uint32_t>{0, 1, 5, 6}, triangles));  // on a line
+  EXPECT_TRUE(cutter.cut(Array<std::uint32_t>{0, 2, 1, 3}, triangles));  // a bow-tie
 }
 
 }  // namespace

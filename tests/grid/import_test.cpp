@@ -19,8 +19,8 @@ using exact::Rational;
 using Triangle = std::array<std::uint32_t, 3>;
 
 struct Polygons {
-  std::vector<double> points;
-  std::vector<std::uint32_t> starts = {0}, corners;
+  Array<double> points;
+  Array<std::uint32_t> starts = {0}, corners;
   void add(std::initializer_list<std::uint32_t> face) {
     corners.insert(corners.end(), face);
     starts.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -42,8 +42,8 @@ Polygons cube(double size = 1) {
   return c;
 }
 
-std::vector<std::uint32_t> cube_triangles() {
-  std::vector<std::uint32_t> t;
+Array<std::uint32_t> cube_triangles() {
+  Array<std::uint32_t> t;
   const Polygons c = cube();
   for (std::size_t i = 0; i < c.corners.size(); i += 4)
     for (std::size_t j : {0U, 1U, 2U, 0U, 2U, 3U}) t.push_back(c.corners[i + j]);
@@ -78,7 +78,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::int64_t> edge_map(std::sp
 void expect_sound(const ImportedMesh& m) {
   EXPECT_TRUE(edge_map(m.triangles).empty());
   for (const Triangle& t : m.triangles) EXPECT_FALSE(collinear(m.points[t[0]], m.points[t[1]], m.points[t[2]]));
-  std::vector<GridPoint> sorted = m.points;
+  Array<GridPoint> sorted = m.points;
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
   EXPECT_GE(six_volumes(m), 0);
@@ -101,13 +101,13 @@ TEST(Import, cube) {
 TEST(Import, long_meshes_with_triangles_that_are_nothing) {
   auto random = seeded_generator();
   const auto n = static_cast<std::uint32_t>(130 + random() % 20);  // a grid of n x n quads, folded onto a torus
-  std::vector<double> points;
+  Array<double> points;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
       const double a = 2 * M_PI * i / n, b = 2 * M_PI * j / n, r = 3 + std::cos(b);
       points.insert(points.end(), {r * std::cos(a), r * std::sin(a), std::sin(b)});
     }
-  std::vector<std::uint32_t> clean, mixed;
+  Array<std::uint32_t> clean, mixed;
   std::uint64_t nothing = 0;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
@@ -169,8 +169,8 @@ TEST(Import, the_whole_world) {
 }
 
 TEST(Import, soup_like_stl) {
-  std::vector<double> points;
-  std::vector<std::uint32_t> triangles;
+  Array<double> points;
+  Array<std::uint32_t> triangles;
   for (std::uint32_t v : cube_triangles()) {
     for (std::size_t k = 0; k < 3; ++k) points.push_back(cube().points[3 * v + k]);
     triangles.push_back(static_cast<std::uint32_t>(triangles.size()));
@@ -232,7 +232,7 @@ TEST(Import, faces_without_area_are_no_faces) {
   EXPECT_EQ(error.where, "face 0");
 
   // One face with an area is a surface, if an open one; what is rounded may have none.
-  const std::vector<std::uint32_t> one{0, 1, 2}, pair{0, 1, 2, 2, 1, 0};
+  const Array<std::uint32_t> one{0, 1, 2}, pair{0, 1, 2, 2, 1, 0};
   EXPECT_EQ(import_triangles(c.points, pair, Lattice{}).error().code, ErrorCode::no_faces);
   EXPECT_TRUE(import_triangles(c.points, pair, Lattice{}, Facing::any).value().triangles.empty());
   c.points[3 * 2] = 1.25;
@@ -245,12 +245,12 @@ TEST(Import, faces_without_area_are_no_faces) {
 }
 
 TEST(Import, bad_indices) {
-  const std::vector<double> p(9);
-  const std::vector<std::uint32_t> t{0, 1, 3}, two{0, 1}, good{0, 1, 2}, down{0, 3, 2}, beyond{0, 4};
+  const Array<double> p(9);
+  const Array<std::uint32_t> t{0, 1, 3}, two{0, 1}, good{0, 1, 2}, down{0, 3, 2}, beyond{0, 4};
   EXPECT_EQ(import_triangles(p, t, Lattice{}).error().code, ErrorCode::bad_index);
   EXPECT_EQ(import_triangles(p, t, Lattice{}).error().where, "face 0");
   EXPECT_EQ(import_triangles(p, two, Lattice{}).error().code, ErrorCode::bad_index);
-  EXPECT_EQ(import_triangles(std::vector<double>(8), good, Lattice{}).error().code, ErrorCode::bad_index);
+  EXPECT_EQ(import_triangles(Array<double>(8), good, Lattice{}).error().code, ErrorCode::bad_index);
   EXPECT_EQ(import_polygons(p, down, good, Lattice{}).error().code, ErrorCode::bad_index);
   EXPECT_EQ(import_polygons(p, beyond, good, Lattice{}).error().code, ErrorCode::bad_index);
   EXPECT_EQ(import_polygons(p, {}, t, Lattice{}).error().code, ErrorCode::bad_index);
@@ -293,8 +293,7 @@ TEST(Import, nonplanar_polygons_are_counted) {
 
 /// A prism over the L with collinear corners, and its holes in the long edges filled by matching side faces.
 TEST(Import, l_prism_keeps_collinear_corners) {
-  const std::vector<std::array<double, 2>> l{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {3, 2},
-                                             {2, 2}, {2, 3}, {2, 4}, {0, 4}, {0, 2}};
+  const Array<std::array<double, 2>> l{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {3, 2}, {2, 2}, {2, 3}, {2, 4}, {0, 4}, {0, 2}};
   const auto n = static_cast<std::uint32_t>(l.size());
   Polygons c;
   for (double z : {0.0, 3.0})
@@ -349,7 +348,7 @@ TEST(Import, stacked_slivers) {
     Polygons c = cube(64);
     c.corners.erase(c.corners.begin() + 12, c.corners.begin() + 16);
     c.starts = {0, 4, 8, 12, 16, 20};
-    std::vector<std::uint32_t> chain{6};
+    Array<std::uint32_t> chain{6};
     const auto count = static_cast<std::uint32_t>(1 + random() % 12);
     for (std::uint32_t i = 0; i < count; ++i) {
       // Sometimes out of order, so that slivers fold back.
@@ -436,7 +435,7 @@ TEST(Balance, agrees_with_a_map) {
   auto random = seeded_generator();
   for (int round = 0; round < 2000; ++round) {
     const auto n = static_cast<std::uint32_t>(3 + random() % 8);
-    std::vector<Triangle> triangles;
+    Array<Triangle> triangles;
     const auto corner = [&] { return static_cast<std::uint32_t>(random() % n); };
     for (std::size_t i = random() % 12; i > 0; --i) {
       const std::uint32_t a = corner(), b = corner(), c = corner(), d = corner();
@@ -454,7 +453,7 @@ TEST(Balance, agrees_with_a_map) {
     std::shuffle(triangles.begin(), triangles.end(), random);
     const auto expected = edge_map(triangles);
     EXPECT_EQ(is_balanced(corners_of(triangles), n), expected.empty());
-    std::vector<OpenEdge> edges;
+    Array<OpenEdge> edges;
     for (const auto& [e, sum] : expected) {
       if (sum > 0)
         edges.push_back({e.first, e.second, static_cast<std::uint64_t>(sum)});

@@ -15,8 +15,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Cubes one behind the other, equal points shared.
 struct Cubes {
-  std::vector<GridPoint> points;
-  std::vector<Triangle> triangles;
+  Array<GridPoint> points;
+  Array<Triangle> triangles;
   std::map<GridPoint, std::uint32_t> ids;
 
   /// From (x, y, z) on, `size` wide; turned round when the size is negative.
@@ -41,8 +41,8 @@ TEST(Shells, OfOneCube) {
   Cubes cubes;
   cubes.add({{1, 2, 3}}, 2);
   const Shells s = cubes.shells();
-  EXPECT_EQ(s.six_volumes, std::vector<exact::int128>{48});
-  EXPECT_EQ(s.of_triangle, std::vector<std::uint32_t>(12, 0));
+  EXPECT_EQ(s.six_volumes, Array<exact::int128>{48});
+  EXPECT_EQ(s.of_triangle, Array<std::uint32_t>(12, 0));
   EXPECT_EQ(lowest_corner(s, 0, cubes.points, cubes.triangles), (GridPoint{{1, 2, 3}}));
   EXPECT_TRUE(shells({}, {}).six_volumes.empty());
 }
@@ -58,8 +58,8 @@ TEST(Shells, BodiesOneBehindTheOtherAreOneEach) {
   auto random = seeded_generator();
   for (int round = 0; round < 300; ++round) {
     Cubes cubes;
-    std::vector<exact::int128> volumes;
-    std::vector<std::uint32_t> owners;
+    Array<exact::int128> volumes;
+    Array<std::uint32_t> owners;
     for (std::uint32_t n = 0; n < 9; ++n) {
       const auto coordinate = [&] { return static_cast<std::int32_t>(random() % 3); };
       const std::int32_t size = random() % 2 == 0 ? 1 : -1;

@@ -24,7 +24,7 @@ Integer nearest(const Rational& v) {
 }
 
 /// Compares every coordinate and the largest move with rationals.
-void check(const std::vector<double>& points, const Lattice& l) {
+void check(const Array<double>& points, const Lattice& l) {
   const auto snapped = snap(points, l);
   ASSERT_TRUE(snapped.has_value()) << snapped.error().message;
   Rational worst = 0;
@@ -50,8 +50,8 @@ void check(const std::vector<double>& points, const Lattice& l) {
   }
 }
 
-const std::vector<Lattice>& lattices() {
-  static const std::vector<Lattice> all{
+const Array<Lattice>& lattices() {
+  static const Array<Lattice> all{
       {1, {0, 0, 0}},
       {Rational(1, 1 << 20), {0, 0, 0}},
       {Rational(1024), {0, 0, 0}},
@@ -69,7 +69,7 @@ TEST(Snap, agrees_with_rationals) {
   auto random = seeded_generator();
   for (const Lattice& l : lattices()) {
     const double step = exact::to_double(l.step);
-    std::vector<double> points;
+    Array<double> points;
     for (int i = 0; i < 900; ++i) {
       const double origin = exact::to_double(l.origin[static_cast<std::size_t>(i % 3)]);
       const int bits = static_cast<int>(random() % 30);
@@ -85,22 +85,22 @@ TEST(Snap, agrees_with_rationals) {
 }
 
 TEST(Snap, ties_go_to_even) {
-  const std::vector<double> points{0.5, 1.5, 2.5, -0.5, -1.5, -2.5};
-  const std::vector<GridPoint> expected{{{0, 2, 2}}, {{0, -2, -2}}};
+  const Array<double> points{0.5, 1.5, 2.5, -0.5, -1.5, -2.5};
+  const Array<GridPoint> expected{{{0, 2, 2}}, {{0, -2, -2}}};
   EXPECT_EQ(snap(points, Lattice{}).value().points, expected);
   // The general path: 1/2, 3/2, 5/2 steps of 3/4 beyond the origin 1.
   const Lattice l{Rational(3, 4), {1, 1, 1}};
-  std::vector<double> moved;
+  Array<double> moved;
   for (double p : points) moved.push_back(1 + 0.75 * p);
   EXPECT_EQ(snap(moved, l).value().points, expected);
 }
 
 TEST(Snap, exact_input_has_no_move) {
-  EXPECT_EQ(snap(std::vector<double>{0.5, -3, 7.25}, {Rational(1, 4), {0, 0, 0}}).value().max_snap, 0);
-  EXPECT_EQ(snap(std::vector<double>{0.5, -3, 7.25}, {Rational(1, 1000), {0, 0, 0}}).value().max_snap, 0);
-  EXPECT_GT(snap(std::vector<double>{0.1, 0, 0}, {Rational(1, 1000), {0, 0, 0}}).value().max_snap, 0);
-  EXPECT_GT(snap(std::vector<double>{1e-320, 0, 0}, {Rational(1024), {0, 0, 0}}).value().max_snap, 0);
-  EXPECT_EQ(snap(std::vector<double>{-0.0, 0, 0}, {Rational(1, 3), {0, 0, 0}}).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{0.5, -3, 7.25}, {Rational(1, 4), {0, 0, 0}}).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{0.5, -3, 7.25}, {Rational(1, 1000), {0, 0, 0}}).value().max_snap, 0);
+  EXPECT_GT(snap(Array<double>{0.1, 0, 0}, {Rational(1, 1000), {0, 0, 0}}).value().max_snap, 0);
+  EXPECT_GT(snap(Array<double>{1e-320, 0, 0}, {Rational(1024), {0, 0, 0}}).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{-0.0, 0, 0}, {Rational(1, 3), {0, 0, 0}}).value().max_snap, 0);
 }
 
 // Far from 0 the filter's error is large, here 2^-12 steps and 2^-5: it alone cannot tell that nothing moved.
@@ -108,26 +108,26 @@ TEST(Snap, exact_input_far_from_zero_has_no_move) {
   const double far = 0x1p40;
   const Rational origin = exact::to_rational(far);
   const Lattice short_numbers{1, {origin, origin, origin}};
-  EXPECT_EQ(snap(std::vector<double>{far + 5, far, far - 7}, short_numbers).value().max_snap, 0);
-  EXPECT_GT(snap(std::vector<double>{far + 5, far, far - 7 + 0x1p-12}, short_numbers).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{far + 5, far, far - 7}, short_numbers).value().max_snap, 0);
+  EXPECT_GT(snap(Array<double>{far + 5, far, far - 7 + 0x1p-12}, short_numbers).value().max_snap, 0);
   // Numbers too long for machine integers.
   const Rational step = 1 + exact::to_rational(0x1p-54), start = origin - 5 * step;
   const Lattice long_numbers{step, {start, start, start}};
-  EXPECT_EQ(snap(std::vector<double>{far, far, far}, long_numbers).value().max_snap, 0);
-  EXPECT_GT(snap(std::vector<double>{far, far + 0x1p-12, far}, long_numbers).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{far, far, far}, long_numbers).value().max_snap, 0);
+  EXPECT_GT(snap(Array<double>{far, far + 0x1p-12, far}, long_numbers).value().max_snap, 0);
 
   const auto fitting = fitting_lattice({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 1, 1e6 + 1});
-  EXPECT_EQ(snap(std::vector<double>{1e6, 1e6 + 1, 1e6, 1e6 + 1, 1e6, 1e6}, fitting.value()).value().max_snap, 0);
+  EXPECT_EQ(snap(Array<double>{1e6, 1e6 + 1, 1e6, 1e6 + 1, 1e6, 1e6}, fitting.value()).value().max_snap, 0);
 }
 
 TEST(Snap, the_edge_of_the_world) {
   const double edge = exact::world;
   for (const double scale : {1.0, 0.125}) {
     const Lattice l{exact::to_rational(scale), {0, 0, 0}};
-    const std::vector<double> in{edge * scale, (edge + 0.5) * scale, -(edge + 0.5) * scale};
+    const Array<double> in{edge * scale, (edge + 0.5) * scale, -(edge + 0.5) * scale};
     const GridPoint corner{{exact::world, exact::world, -exact::world}};
     EXPECT_EQ(snap(in, l).value().points.at(0), corner);
-    const std::vector<double> out{0, 0, 0, 0, std::nextafter((edge + 0.5) * scale, 1e30), 0};
+    const Array<double> out{0, 0, 0, 0, std::nextafter((edge + 0.5) * scale, 1e30), 0};
     const auto refused = snap(out, l);
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::out_of_range);
@@ -137,21 +137,21 @@ TEST(Snap, the_edge_of_the_world) {
 
 TEST(Snap, refusals_name_vertex_and_step) {
   const Lattice milli{Rational(1, 1000), {0, 0, 0}};
-  const auto far = snap(std::vector<double>{0, 0, 0, 1e6, 0, -3e6}, milli);
+  const auto far = snap(Array<double>{0, 0, 0, 1e6, 0, -3e6}, milli);
   ASSERT_FALSE(far.has_value());
   EXPECT_EQ(far.error().code, ErrorCode::out_of_range);
   EXPECT_EQ(far.error().where, "vertex 1 (1e+06, 0, -3e+06)");
   EXPECT_NE(far.error().message.find("a step of 1/125 would do"), std::string::npos) << far.error().message;
-  EXPECT_TRUE(snap(std::vector<double>{0, 0, 0, 1e6, 0, -3e6}, {Rational(1, 125), {0, 0, 0}}).has_value());
+  EXPECT_TRUE(snap(Array<double>{0, 0, 0, 1e6, 0, -3e6}, {Rational(1, 125), {0, 0, 0}}).has_value());
   for (const Lattice& l : lattices())
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-      const auto refused = snap(std::vector<double>{0, 0, 0, 1e30, 0, 0, 0, bad, 0}, l);
+      const auto refused = snap(Array<double>{0, 0, 0, 1e30, 0, 0, 0, bad, 0}, l);
       ASSERT_FALSE(refused.has_value());
       EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
       EXPECT_EQ(refused.error().where.substr(0, 9), "vertex 2 ");
     }
   for (const Lattice& l : lattices())
-    EXPECT_EQ(snap(std::vector<double>{1e308, -1e308, 5}, l).error().code, ErrorCode::out_of_range);
+    EXPECT_EQ(snap(Array<double>{1e308, -1e308, 5}, l).error().code, ErrorCode::out_of_range);
 }
 
 TEST(Snap, extreme_steps) {

@@ -14,11 +14,11 @@ namespace {
 using exact::GridPoint;
 
 /// Welds by a table, by one that gives way to sorting at the first collision, by sorting, and by std::map.
-void check(const std::vector<GridPoint>& points, const std::vector<double>& input, std::size_t expected) {
+void check(const Array<GridPoint>& points, const Array<double>& input, std::size_t expected) {
   std::map<GridPoint, std::uint32_t> seen;
   std::map<GridPoint, std::set<std::array<double, 3>>> positions;
-  std::vector<GridPoint> kept;
-  std::vector<std::uint32_t> ids;
+  Array<GridPoint> kept;
+  Array<std::uint32_t> ids;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [at, fresh] = seen.emplace(points[i], static_cast<std::uint32_t>(kept.size()));
     if (fresh) kept.push_back(points[i]);
@@ -30,7 +30,7 @@ void check(const std::vector<GridPoint>& points, const std::vector<double>& inpu
   for (const auto& [p, all] : positions) merged += all.size() - 1;
 
   const auto expect = [&](auto&& way) {
-    std::vector<GridPoint> mine = points;
+    Array<GridPoint> mine = points;
     const Weld w = way(mine);
     EXPECT_EQ(mine, kept);
     EXPECT_EQ(w.ids, ids);
@@ -49,8 +49,8 @@ TEST(Weld, agrees_with_a_map) {
   for (int round = 0; round < 60; ++round) {
     const std::size_t n = random() % 3000;
     const std::uint64_t range = std::uint64_t{1} << (1 + random() % 29);
-    std::vector<GridPoint> points(n);
-    std::vector<double> input;
+    Array<GridPoint> points(n);
+    Array<double> input;
     for (GridPoint& p : points)
       for (auto& c : p.c) {
         c = static_cast<std::int32_t>(random() % range) - static_cast<std::int32_t>(range / 2);
@@ -61,16 +61,16 @@ TEST(Weld, agrees_with_a_map) {
 }
 
 TEST(Weld, zeros_of_both_signs_are_one_position) {
-  std::vector<GridPoint> points(4, GridPoint{{0, 0, 0}});
-  const std::vector<double> input{0.0, 0, 0, -0.0, 0, 0, 0.25, 0.0, 0, 0.25, -0.0, 0};
+  Array<GridPoint> points(4, GridPoint{{0, 0, 0}});
+  const Array<double> input{0.0, 0, 0, -0.0, 0, 0, 0.25, 0.0, 0, 0.25, -0.0, 0};
   const Weld w = weld(points, input, 4);
   EXPECT_EQ(points.size(), 1U);
   EXPECT_EQ(w.merged, 1U);
 }
 
 TEST(Weld, regular_lattices) {
-  std::vector<GridPoint> points;
-  std::vector<double> input;
+  Array<GridPoint> points;
+  Array<double> input;
   for (int x = 0; x < 40; ++x)
     for (int y = 0; y < 40; ++y)
       for (int z = 0; z < 40; ++z) {

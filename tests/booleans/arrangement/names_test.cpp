@@ -102,7 +102,7 @@ TEST(Names, PointsWithinOneRoundingDiffer) {
     return *exact::meet(upright(0, p, q), upright(1, 0, 1), upright(2, -5, 1));
   };
   VertexTable table;
-  std::vector<VertexId> halves;
+  Array<VertexId> halves;
   for (std::int64_t i = 0; i < 4; ++i) halves.push_back(table.id(at(large + i, 2 * (large + i) + 1)));
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(halves[i], VertexId(static_cast<std::uint32_t>(i)));
@@ -134,8 +134,8 @@ TEST(Names, OperandsShareTheNamesOfTheirPoints) {
   for (const std::uint32_t v : {5u, 1u, 5u, 0u}) names.name(a, 0, v);
   for (const std::uint32_t v : {4u, 3u}) names.name(b, 1, v);
 
-  EXPECT_EQ(names.operands[0].listed, (std::vector<std::uint32_t>{5, 1, 0}));
-  EXPECT_EQ(names.operands[1].listed, (std::vector<std::uint32_t>{4, 3}));
+  EXPECT_EQ(names.operands[0].listed, (Array<std::uint32_t>{5, 1, 0}));
+  EXPECT_EQ(names.operands[1].listed, (Array<std::uint32_t>{4, 3}));
   EXPECT_EQ(names.vertices.size(), 4u);  // (1, 0, 1) is vertex 5 of one and 4 of the other
   EXPECT_EQ(names.operands[0].of(5), names.operands[1].of(4));
   EXPECT_EQ(names.operands[0].of(7), VertexId(none));

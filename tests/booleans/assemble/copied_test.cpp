@@ -9,14 +9,14 @@ namespace quoin::booleans::testing {
 namespace {
 
 /// A face as numbers: its plane, then its loops from their least corner on; a triangle without its plane.
-using Face = std::vector<std::int64_t>;
+using Face = Array<std::int64_t>;
 
 void add_plane(Face& face, const exact::Plane& p) {
   face.insert(face.end(), p.n.begin(), p.n.end());
   face.push_back(static_cast<std::int64_t>(p.d >> 64));
   face.push_back(static_cast<std::int64_t>(p.d));
 }
-void add_loop(Face& face, std::vector<std::uint32_t> loop, bool turned = false) {
+void add_loop(Face& face, Array<std::uint32_t> loop, bool turned = false) {
   if (turned) std::reverse(loop.begin(), loop.end());
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   face.push_back(-1);
@@ -24,15 +24,15 @@ void add_loop(Face& face, std::vector<std::uint32_t> loop, bool turned = false) 
 }
 
 /// The untouched faces of the operands that stay, turned as they stay, from the operands themselves.
-std::vector<Face> kept_faces(const Made& made, PointNumbers& numbers, bool raw) {
-  std::vector<Face> faces;
+Array<Face> kept_faces(const Made& made, PointNumbers& numbers, bool raw) {
+  Array<Face> faces;
   for (const OperandId o : made.a.operands.ids()) {
     const Body& body = made.a.operands[o];
     for (std::uint32_t f = 0; f < body.face_count(); ++f) {
       const int kept = made.m.kept(made.a.operands.face(o, f));
       if (kept == 0 || raw != (f < body.triangles.size())) continue;
       Face& face = faces.emplace_back();
-      std::vector<std::uint32_t> loop;
+      Array<std::uint32_t> loop;
       if (raw) {
         for (const std::uint32_t v : body.triangles[f]) loop.push_back(numbers.of(body, v));
         add_loop(face, loop, kept < 0);
@@ -50,10 +50,10 @@ std::vector<Face> kept_faces(const Made& made, PointNumbers& numbers, bool raw) 
   return faces;
 }
 
-std::vector<Face> copied_triangles(const Made& made, PointNumbers& numbers) {
-  std::vector<Face> faces;
+Array<Face> copied_triangles(const Made& made, PointNumbers& numbers) {
+  Array<Face> faces;
   for (const Triangle& t : made.m.body.triangles) {
-    std::vector<std::uint32_t> loop;
+    Array<std::uint32_t> loop;
     for (const std::uint32_t v : t) loop.push_back(numbers.of(made.m.body, v));
     add_loop(faces.emplace_back(), loop);
   }
@@ -62,13 +62,13 @@ std::vector<Face> copied_triangles(const Made& made, PointNumbers& numbers) {
 }
 
 /// Those that are written, and those that wait.
-std::vector<Face> copied_polygons(Made& made, PointNumbers& numbers) {
-  std::vector<Face> faces;
+Array<Face> copied_polygons(Made& made, PointNumbers& numbers) {
+  Array<Face> faces;
   const auto add = [&](const auto& loops, std::size_t i, const exact::Plane& plane, auto number) {
     Face& face = faces.emplace_back();
     add_plane(face, plane);
     loops.for_loops(i, [&](const auto& corners) {
-      std::vector<std::uint32_t> loop;
+      Array<std::uint32_t> loop;
       for (const auto c : corners) loop.push_back(number(c));
       add_loop(face, loop);
     });
@@ -85,7 +85,7 @@ std::vector<Face> copied_polygons(Made& made, PointNumbers& numbers) {
 
 /// Chunks follow each other, and their boxes hold their faces.
 template <class BoxOf>
-void expect_chunks(const std::vector<Chunk>& chunks, std::uint32_t count, BoxOf box_of) {
+void expect_chunks(const Array<Chunk>& chunks, std::uint32_t count, BoxOf box_of) {
   std::uint32_t next = 0;
   for (const Chunk& c : chunks) {
     EXPECT_EQ(c.begin, next);
@@ -101,7 +101,7 @@ void expect_chunks(const std::vector<Chunk>& chunks, std::uint32_t count, BoxOf 
 TEST(Copied, FacesThatStayAreCopiedAsTheyStay) {
   std::size_t triangles = 0, written = 0, waiting = 0;
   for_families(0xC09D, 40, [&](Solids& solids, Random& random) {
-    const std::vector<Body> bodies{odd(solids.raw(), solids.raw()), solids.next(), solids.raw()};
+    const Array<Body> bodies{odd(solids.raw(), solids.raw()), solids.next(), solids.raw()};
     const Rule rule = random.one_in(2) ? Rule::odd : random.one_in(2) ? Rule::any : Rule::all;
     Made made(bodies, Expression::flat(rule, 3, random.one_in(2) ? 1 : none));
     Body& body = made.m.body;
@@ -142,7 +142,7 @@ TEST(Copied, FacesThatStayAreCopiedAsTheyStay) {
 // A polygon waits exactly where a vertex of it may be needed by what is touched.
 TEST(Copied, PolygonsWithAVertexInTheTableWait) {
   for_families(0xC09E, 12, [&](Solids& solids, Random&) {
-    const std::vector<Body> bodies{odd(solids.raw(), solids.raw()), solids.raw()};
+    const Array<Body> bodies{odd(solids.raw(), solids.raw()), solids.raw()};
     Made made(bodies, Expression::flat(Rule::odd, 2));
     copy_raw(made.m);
     copy_polygons(made.m);
@@ -167,15 +167,15 @@ TEST(Copied, CavitiesAreTurnedRound) {
   const Body ball = *sphere({0, 0, 0}, 8, 8, [](std::uint32_t, std::uint32_t) { return 1000.0; });
   const Body tip = *tetrahedron({{{100, 0, 0}, {101, 0, 0}, {100, 1, 0}, {100, 0, 1}}});
   const Body plate = body_of(canonical(minus(box({0, 0, 0}, {6, 6, 2}), box({2, 2, 1}, {4, 4, 3}))));
-  const std::vector<Body> bodies{tip, plate, ball};
+  const Array<Body> bodies{tip, plate, ball};
   Made made(bodies, Expression::flat(Rule::odd, 3));
   copy_raw(made.m);
   copy_polygons(made.m);
 
   const Body& body = made.m.body;
   EXPECT_EQ(body.triangles.size(), 4 + ball.triangles.size());
-  EXPECT_EQ(std::vector<Triangle>(body.triangles.begin(), body.triangles.begin() + 4),
-            (std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}));
+  EXPECT_EQ(Array<Triangle>(body.triangles.begin(), body.triangles.begin() + 4),
+            (Array<Triangle>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}));
   Body cavity = body;
   cavity.triangles = {};
   EXPECT_EQ(dump(cavity), R"(face on [1 0 0 0]

@@ -14,7 +14,7 @@ Box cube(std::int32_t low, std::int32_t high) { return {{low, low, low}, {high, 
 // Faces that follow each other, near each other and few, are one chunk.
 TEST(Host, KeptChunks) {
   const WithThresholds usual{grid::Thresholds{}};
-  std::vector<Chunk> chunks;
+  Array<Chunk> chunks;
   keep_chunk(chunks, 0, 10, cube(0, 2));
   keep_chunk(chunks, 10, 10, cube(0, 9));  // no face
   keep_chunk(chunks, 10, 32, cube(2, 4));  // touches the one before
@@ -22,9 +22,9 @@ TEST(Host, KeptChunks) {
   keep_chunk(chunks, 34, 35, cube(2, 3));  // a face is left out
   keep_chunk(chunks, 35, 36, cube(7, 8));  // far from the one before
 
-  std::vector<std::array<std::uint32_t, 2>> faces;
+  Array<std::array<std::uint32_t, 2>> faces;
   for (const Chunk& c : chunks) faces.push_back({c.begin, c.end});
-  EXPECT_EQ(faces, (std::vector<std::array<std::uint32_t, 2>>{{0, 32}, {32, 33}, {34, 35}, {35, 36}}));
+  EXPECT_EQ(faces, (Array<std::array<std::uint32_t, 2>>{{0, 32}, {32, 33}, {34, 35}, {35, 36}}));
   EXPECT_EQ(chunks[0].box.low, cube(0, 4).low);
   EXPECT_EQ(chunks[0].box.high, cube(0, 4).high);
 }
@@ -55,8 +55,8 @@ TEST(Host, DroppedLoops) {
   Body body;
   body.triangles.push_back({0, 1, 2});
   for (std::uint32_t i = 0; i < 4; ++i) {
-    body.polygons.add_loop(std::vector<std::uint32_t>{10 * i, 10 * i + 1, 10 * i + 2});
-    if (i == 2) body.polygons.add_loop(std::vector<std::uint32_t>{25, 26, 27, 28});
+    body.polygons.add_loop(Array<std::uint32_t>{10 * i, 10 * i + 1, 10 * i + 2});
+    if (i == 2) body.polygons.add_loop(Array<std::uint32_t>{25, 26, 27, 28});
     body.polygons.end_face();
     body.planes.push_back({{1, 0, 0}, i});
   }
@@ -67,8 +67,8 @@ TEST(Host, DroppedLoops) {
   drop_gone_loops(body);
   EXPECT_EQ(body.gone_corners, 0u);
   EXPECT_EQ(body.planes.size(), 4u);
-  const std::vector<std::uint32_t> corners(body.polygons.corners.begin(), body.polygons.corners.end());
-  EXPECT_EQ(corners, (std::vector<std::uint32_t>{10, 11, 12, 20, 21, 22, 25, 26, 27, 28}));
+  const Array<std::uint32_t> corners(body.polygons.corners.begin(), body.polygons.corners.end());
+  EXPECT_EQ(corners, (Array<std::uint32_t>{10, 11, 12, 20, 21, 22, 25, 26, 27, 28}));
   for (std::uint32_t p = 0; p < 4; ++p) EXPECT_EQ(body.polygons.loop_count(p), (std::array{0u, 1u, 2u, 0u})[p]);
   EXPECT_EQ(body.polygons.loop(body.polygons.face_start[2])[0], 20u);
 }
@@ -78,7 +78,7 @@ TEST(Host, IsALargeOperandThatStays) {
   const WithThresholds usual{grid::Thresholds{}};
   const Body ball = *sphere({0, 0, 0}, 24, 48, [](std::uint32_t, std::uint32_t) { return 1e4; });
   const Body near = box({-500, -500, 9500}, {500, 500, 10500}), far = box({50000, 0, 0}, {50001, 1, 1});
-  const auto host = [](const std::vector<Body>& bodies, const Expression& e) {
+  const auto host = [](const Array<Body>& bodies, const Expression& e) {
     const Arrangement a = arranged(bodies);
     return find_host(a, select(a, find_cells(a), e));
   };

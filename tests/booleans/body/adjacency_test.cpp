@@ -24,14 +24,14 @@ TEST(Adjacency, IsWhatTheFacesSay) {
     body = packed(body);
     if (body.face_count() == 0) continue;
 
-    std::vector<Uses> at_vertex(body.vertex_count());
+    Array<Uses> at_vertex(body.vertex_count());
     for (std::uint32_t f = 0; f < body.face_count(); ++f)
       body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
         at_vertex[u].insert({f, v, true});
         at_vertex[v].insert({f, u, false});
       });
 
-    std::vector<std::uint8_t> marked(body.vertex_count());
+    Array<std::uint8_t> marked(body.vertex_count());
     for (auto& m : marked) m = random.one_in(2) ? 1 : 0;
     const Chunk all_faces{0, static_cast<std::uint32_t>(body.face_count()), {}};
     const Adjacency all(body), some(body, marked, std::span(&all_faces, 1));

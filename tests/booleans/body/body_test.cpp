@@ -70,7 +70,7 @@ TEST(Body, Chunks) {
     Random random(0xB0D4, number);
     Solids solids(random, families[number % families.size()]);
     const Body body = packed(odd(solids.next(), solids.next()));
-    std::vector<Chunk> chunks;
+    Array<Chunk> chunks;
     add_chunks(body, 0, static_cast<std::uint32_t>(body.face_count()), chunks);
     std::uint32_t next = 0;
     for (const Chunk& c : chunks) {

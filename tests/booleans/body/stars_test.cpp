@@ -72,7 +72,7 @@ TEST(Stars, TheSecondWay) {
     Solids solids(random, families[number % families.size()]);
     const std::vector<Body> two{solids.raw(), solids.raw()};
     const Body mesh = random.one_in(2) ? merged(two) : two[0];
-    const std::vector<Star> star_of = stars(mesh);
+    const Array<Star> star_of = stars(mesh);
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
       const bool used = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                                     [&](const auto& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
@@ -98,7 +98,7 @@ TEST(Stars, TrianglesAmongPolygons) {
     Random random(0x57B, number);
     Solids solids(random, families[number % families.size()]);
     const Body a = solids.raw(), body = packed(random.one_in(2) ? minus(a, solids.raw()) : any(a, solids.raw()));
-    const std::vector<Star> star_of = stars(body);
+    const Array<Star> star_of = stars(body);
 
     std::vector<int> triangles(body.grid_points.size());
     std::vector<std::uint8_t> has_polygon(body.grid_points.size());

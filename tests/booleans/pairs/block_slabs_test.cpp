@@ -66,8 +66,8 @@ struct Blocks {
     for (const std::uint32_t id : tree.ids()) faces.push_back({id < BoxBlock::width ? &a : &b, id % BoxBlock::width});
   }
 
-  static std::vector<BoxTree::Item> items(const Body& a, const Body& b) {
-    std::vector<BoxTree::Item> r;
+  static Array<BoxTree::Item> items(const Body& a, const Body& b) {
+    Array<BoxTree::Item> r;
     for (const Body* body : {&a, &b})
       for (std::uint32_t t = 0; t < BoxBlock::width; ++t) {
         Box box;
@@ -79,7 +79,7 @@ struct Blocks {
   GridTriangle triangle_at(std::uint32_t i) const { return triangle(*faces[i].body, faces[i].face); }
 
   BoxTree tree;
-  std::vector<SearchedFace> faces;
+  Array<SearchedFace> faces;
 };
 
 // A crossing's place is computed with rounding, so strips that touch in one point may seem a little apart. They never

@@ -12,7 +12,7 @@ namespace quoin::booleans::testing {
 namespace {
 
 using Item = BoxTree::Item;
-using IdPairs = std::vector<std::array<std::uint32_t, 2>>;
+using IdPairs = Array<std::array<std::uint32_t, 2>>;
 
 Box cuboid(const Vector& low, const Vector& high) {
   Box b;
@@ -34,7 +34,7 @@ Box random_box(Random& random, std::int64_t reach) {
 /// Boxes, flat ones and points among them, over a few steps or the whole world; of one group, a few or many.
 struct Boxes {
   std::int64_t reach;
-  std::vector<Item> items;
+  Array<Item> items;
 
   explicit Boxes(Random& random) : reach(std::array<std::int64_t, 4>{1, 6, 1000, exact::world}[random.below(4)]) {
     const auto count = static_cast<std::uint32_t>(random.below(random.one_in(4) ? 700 : 80));
@@ -65,7 +65,7 @@ IdPairs pairs_of(const BoxTree& tree, BoxTree::Pairs wanted) {
   return pairs;
 }
 
-IdPairs pairs_by_all(const std::vector<Item>& items, BoxTree::Pairs wanted) {
+IdPairs pairs_by_all(const Array<Item>& items, BoxTree::Pairs wanted) {
   IdPairs pairs;
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = i + 1; j < items.size(); ++j)
@@ -85,7 +85,7 @@ TEST(BoxTree, FindsThePairsThatBoxesHave) {
 
 // A touches B in a corner, B touches C; B and C are of one group.
 TEST(BoxTree, BoxesThatTouchMeet) {
-  const std::vector<Item> items{
+  const Array<Item> items{
       {cuboid({0, 0, 0}, {2, 2, 2}), 5, 0}, {cuboid({2, 2, 2}, {4, 4, 4}), 6, 1}, {cuboid({4, 2, 2}, {4, 2, 2}), 7, 1}};
   const BoxTree tree(items);
   EXPECT_EQ(pairs_of(tree, BoxTree::Pairs::all), (IdPairs{{5, 6}, {6, 7}}));
@@ -100,18 +100,18 @@ TEST(BoxTree, NothingAndOneBox) {
     EXPECT_EQ(pairs_of(one, wanted), IdPairs{});
   }
 
-  std::vector<std::uint32_t> seen;
+  Array<std::uint32_t> seen;
   nothing.meeting(unit, [&](std::uint32_t id) { seen.push_back(id); });
-  EXPECT_EQ(seen, std::vector<std::uint32_t>{});
+  EXPECT_EQ(seen, Array<std::uint32_t>{});
   one.meeting(cuboid({1, 1, 1}, {2, 2, 2}), [&](std::uint32_t id) { seen.push_back(id); });
-  EXPECT_EQ(seen, std::vector<std::uint32_t>{7});
+  EXPECT_EQ(seen, Array<std::uint32_t>{7});
 }
 
 TEST(BoxTree, MeetingFindsTheBoxesThatMeetABox) {
   for_trees(0xB07F, 40, [](const Boxes& boxes, const BoxTree& tree, Random& random) {
     for (int i = 0; i < 20; ++i) {
       const Box asked = random_box(random, boxes.reach);
-      std::vector<std::uint32_t> found, expected;
+      Array<std::uint32_t> found, expected;
       tree.meeting(asked, [&](std::uint32_t id) { found.push_back(id); });
       for (const Item& x : boxes.items)
         if (x.box.meets(asked)) expected.push_back(x.id);
@@ -140,34 +140,34 @@ TEST(BoxTree, AVisitorMayShrinkTheBox) {
 }
 
 TEST(BoxTree, BoxesOfABlockThatReachFurtherUpComeFirst) {
-  std::vector<Item> items;
+  Array<Item> items;
   for (const std::int64_t top : {3, 1, 4, 10, 5, 9, 2, 6})
     items.push_back({cuboid({0, 0, 0}, {1, top, 1}), static_cast<std::uint32_t>(top), 0});
-  std::vector<std::uint32_t> seen;
+  Array<std::uint32_t> seen;
   BoxTree(items).meeting(cuboid({0, 0, 0}, {1, 20, 1}), [&](std::uint32_t id) { seen.push_back(id); });
-  EXPECT_EQ(seen, (std::vector<std::uint32_t>{10, 9, 6, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(seen, (Array<std::uint32_t>{10, 9, 6, 5, 4, 3, 2, 1}));
 }
 
 // Eight boxes at the corners of a cube, x being the last digit of a place.
 TEST(BoxTree, OrderByPlaceAndByGroup) {
-  std::vector<Item> items;
+  Array<Item> items;
   for (std::uint32_t i = 8; i-- > 0;) {
     const Vector low{10 * (i & 1), 10 * (i >> 1 & 1), 10 * (i >> 2)};
     items.push_back({cuboid(low, low + Vector{1, 1, 1}), i, i & 1});
   }
-  EXPECT_EQ(BoxTree(items).ids(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
-  EXPECT_EQ(BoxTree(items, BoxTree::Order::by_group).ids(), (std::vector<std::uint32_t>{0, 2, 4, 6, 1, 3, 5, 7}));
+  EXPECT_EQ(BoxTree(items).ids(), (Array<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(BoxTree(items, BoxTree::Order::by_group).ids(), (Array<std::uint32_t>{0, 2, 4, 6, 1, 3, 5, 7}));
 }
 
 TEST(BoxTree, ItemsStayWithTheirBoxes) {
   for_trees(0xB081, 40, [](const Boxes& boxes, const BoxTree& tree, Random&) {
-    std::vector<std::uint32_t> ids = tree.ids();
+    Array<std::uint32_t> ids = tree.ids();
     for (std::uint32_t i = 0; i < ids.size(); ++i) {
       EXPECT_EQ(tree.box(i).low, boxes.item(ids[i]).box.low);
       EXPECT_EQ(tree.box(i).high, boxes.item(ids[i]).box.high);
     }
     std::sort(ids.begin(), ids.end());
-    std::vector<std::uint32_t> all(boxes.items.size());
+    Array<std::uint32_t> all(boxes.items.size());
     std::iota(all.begin(), all.end(), 1);
     EXPECT_EQ(ids, all);
   });
@@ -185,7 +185,7 @@ TEST(BoxTree, TheOrderIsOneForAnyNumberOfKeys) {
     };
     EXPECT_EQ(ids(BoxTree::Order::by_place, 0), ids(BoxTree::Order::by_place, 1 << 20));
 
-    const std::vector<std::uint32_t> by_group = ids(BoxTree::Order::by_group, 0);
+    const Array<std::uint32_t> by_group = ids(BoxTree::Order::by_group, 0);
     EXPECT_EQ(by_group, ids(BoxTree::Order::by_group, 1 << 20));
     EXPECT_TRUE(std::is_sorted(by_group.begin(), by_group.end(), [&](std::uint32_t a, std::uint32_t b) {
       return boxes.item(a).group < boxes.item(b).group;

@@ -26,32 +26,32 @@ Box box_within(Random& random, const Vector& low, const Vector& high) {
 }
 
 /// Boxes of a few groups.
-std::vector<Grouped> random_boxes(Random& random, const Vector& low, const Vector& high) {
+Array<Grouped> random_boxes(Random& random, const Vector& low, const Vector& high) {
   const std::uint64_t groups = 1 + random.below(4);
-  std::vector<Grouped> boxes;
+  Array<Grouped> boxes;
   for (std::uint64_t n = 1 + random.below(60); n > 0; --n)
     boxes.push_back({box_within(random, low, high), static_cast<std::uint32_t>(random.below(groups))});
   return boxes;
 }
 
-Box bounds_of(const std::vector<Grouped>& boxes) {
+Box bounds_of(const Array<Grouped>& boxes) {
   Box all;
   for (const Grouped& b : boxes) all.add(b.box);
   return all;
 }
 
-bool meets_foreign(const std::vector<Grouped>& boxes, const Grouped& b) {
+bool meets_foreign(const Array<Grouped>& boxes, const Grouped& b) {
   return std::any_of(boxes.begin(), boxes.end(),
                      [&](const Grouped& other) { return other.group != b.group && other.box.meets(b.box); });
 }
 
 /// What a filter says of boxes that were added one after the other, or side by side.
-std::vector<bool> shared(CellFilter cells, const std::vector<Grouped>& boxes, bool side_by_side) {
+Array<bool> shared(CellFilter cells, const Array<Grouped>& boxes, bool side_by_side) {
   grid::in_stretches(boxes.size(), side_by_side ? 1 : boxes.size(),
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                        for (std::size_t i = begin; i < end; ++i) cells.add(boxes[i].box, boxes[i].group);
                      });
-  std::vector<bool> r;
+  Array<bool> r;
   for (const Grouped& b : boxes) r.push_back(cells.is_shared(b.box));
   return r;
 }
@@ -63,8 +63,8 @@ TEST(CellFilter, TheFinestCellsTellExactlyWhatMeets) {
     Random random(0xCE11, number);
     const std::int64_t most = exact::world - 8;
     const Vector low = random.one_in(2) ? random.vector(-4, 4) : random.vector(-most - 8, most);
-    const std::vector<Grouped> boxes = random_boxes(random, low, low + random.vector(0, 7));
-    std::vector<bool> expected;
+    const Array<Grouped> boxes = random_boxes(random, low, low + random.vector(0, 7));
+    Array<bool> expected;
     for (const Grouped& b : boxes) expected.push_back(meets_foreign(boxes, b));
 
     const CellFilter cells(bounds_of(boxes), {bounds_of(boxes)}, 1, 512);
@@ -77,22 +77,22 @@ TEST(CellFilter, CoarserCellsLoseNothingThatMeets) {
     SCOPED_TRACE(case_name(number));
     Random random(0xCE12, number);
     const std::int64_t reach = std::array<std::int64_t, 3>{20, 100000, exact::world}[random.below(3)];
-    const std::vector<Grouped> boxes = random_boxes(random, {-reach, -reach, -reach}, {reach, reach, reach});
-    std::vector<Box> sample;
+    const Array<Grouped> boxes = random_boxes(random, {-reach, -reach, -reach}, {reach, reach, reach});
+    Array<Box> sample;
     for (const Grouped& b : boxes)
       if (sample.empty() || random.one_in(3)) sample.push_back(b.box);
 
     const CellFilter cells(bounds_of(boxes), sample, boxes.size() / sample.size() + 1, 1 + random.below(2000));
-    const std::vector<bool> found = shared(cells, boxes, false);
+    const Array<bool> found = shared(cells, boxes, false);
     for (std::size_t i = 0; i < boxes.size(); ++i) EXPECT_GE(found[i], meets_foreign(boxes, boxes[i]));
     const bool one_group =
         std::all_of(boxes.begin(), boxes.end(), [&](const Grouped& b) { return b.group == boxes[0].group; });
     if (one_group) {
-      EXPECT_EQ(found, std::vector<bool>(boxes.size()));
+      EXPECT_EQ(found, Array<bool>(boxes.size()));
     }
 
     EXPECT_EQ(shared(cells, boxes, true), found);
-    std::vector<bool> reversed = shared(cells, {boxes.rbegin(), boxes.rend()}, false);
+    Array<bool> reversed = shared(cells, {boxes.rbegin(), boxes.rend()}, false);
     std::reverse(reversed.begin(), reversed.end());
     EXPECT_EQ(reversed, found);
   }

@@ -83,7 +83,7 @@ TEST(FanProof, AFlatFanThatOverlapsItself) {
   for (const Triangle& t : {Triangle{0, 4, 5}, Triangle{0, 5, 6}, Triangle{0, 6, 4}}) twice.push_back(t);
   const auto proved = [&](const std::vector<Triangle>& triangles) {
     const Body fan = *mesh(points, triangles);
-    const auto marks = proved_in_fans(fan, std::vector<Star>(points.size(), Star::other));
+    const auto marks = proved_in_fans(fan, Array<Star>(points.size(), Star::other));
     return std::count(marks.begin(), marks.end(), 1);
   };
   EXPECT_EQ(proved(once), exact::checked ? 3 : 0);

@@ -35,7 +35,7 @@ TEST(ImproperPairs, TrianglesOfOneCorner) {
         {{0, 0, 0}}, {{way * 10, -10, 0}}, {{way * 10, 10, 0}}, {{way * reach, 0, -3}}, {{way * reach, 0, 3}}};
     mesh.triangles.push_back({0, 1, 2});
     mesh.triangles.push_back({0, 3, 4});
-    return improper_pairs(mesh, std::vector<Star>(5, Star::other)).size();
+    return improper_pairs(mesh, Array<Star>(5, Star::other)).size();
   };
   for (const std::int32_t way : {1, -1}) {
     EXPECT_EQ(pairs(4, way), 1u);

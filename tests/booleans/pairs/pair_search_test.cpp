@@ -23,8 +23,8 @@ struct Searched {
     }
   }
 
-  static std::vector<BoxTree::Item> items(const std::vector<Body>& bodies) {
-    std::vector<BoxTree::Item> r;
+  static Array<BoxTree::Item> items(const std::vector<Body>& bodies) {
+    Array<BoxTree::Item> r;
     for (std::uint32_t b = 0; b < bodies.size(); ++b)
       for (std::uint32_t t = 0; t < bodies[b].triangles.size(); ++t)
         r.push_back({face_box(bodies[b], t), static_cast<std::uint32_t>(r.size()), b});
@@ -60,7 +60,7 @@ struct Searched {
   }
 
   BoxTree tree;
-  std::vector<SearchedFace> faces;
+  Array<SearchedFace> faces;
 };
 
 // In one batch or in many, with slabs of all blocks or of none: in one order, and what all pairs say.

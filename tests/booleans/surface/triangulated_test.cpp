@@ -68,7 +68,7 @@ void expect_triangulation(const Body& body) {
       ASSERT_EQ(area[face], area_by_loops(body, face));
     }
   });
-  EXPECT_EQ(mesh.source, std::vector<std::uint32_t>(used.begin(), used.end()));
+  EXPECT_EQ(mesh.source, Array<std::uint32_t>(used.begin(), used.end()));
   EXPECT_TRUE(std::is_sorted(mesh.face.begin(), mesh.face.end()) || !body.is_packed);
 }
 
