@@ -45,7 +45,8 @@ std::size_t hash(const Plane& p) {
 }
 
 Plane reduced_plane(std::array<std::int64_t, 3> n, int128 d) {
-  std::uint64_t g = std::gcd(std::gcd(magnitude(n[0]), magnitude(n[1])), magnitude(n[2]));
+  std::uint64_t g = std::gcd(magnitude(n[0]), magnitude(n[1]));
+  if (g != 1) g = std::gcd(g, magnitude(n[2]));  // mostly it is
   assert(g != 0);
   if (g > 1) {
     g = std::gcd(g, static_cast<std::uint64_t>(magnitude(d) % g));

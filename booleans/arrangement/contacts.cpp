@@ -1,9 +1,6 @@
 #include "booleans/arrangement/contacts.h"
 
-#include <optional>
-
 #include "booleans/arrangement/line_trace.h"
-#include "booleans/pairs/triangle_pair.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -20,6 +17,48 @@ int axis_of_line(const exact::Plane& p, const exact::Plane& q) {
     if (exact::cross_sign(p, q, (best + k) % 3) != 0) return (best + k) % 3;
   return -1;
 }
+
+/// The faces of clean operands that coincide with a face of another one, edge by edge. What meets such a face of the
+/// other's own faces meets it in common edges and vertices, which are drawn with either: it makes no contacts.
+class Twins {
+ public:
+  Twins(const Touched& touched, const Array<TouchedPair>& pairs) : touched_(touched) {
+    if (!touched.cover_once) return;
+    for (const auto& [f, g] : pairs) {
+      if (touched.faces[f].plane != touched.faces[g].plane || !coincide(f, g)) continue;
+      if (twin_in_.empty()) twin_in_.assign(touched.faces.size(), none);
+      twin_in_[f] = touched.faces[g].operand;
+      twin_in_[g] = touched.faces[f].operand;
+    }
+  }
+
+  /// Is one of two faces of different operands the twin of a face of the other's operand?
+  bool has(const TouchedPair& pair) const {
+    if (twin_in_.empty()) return false;
+    const auto operand = [&](TouchedId t) { return touched_.faces[t].operand; };
+    return twin_in_[pair[0]] == operand(pair[1]) || twin_in_[pair[1]] == operand(pair[0]);
+  }
+
+ private:
+  using Edges = std::vector<std::array<VertexId, 2>>;
+
+  bool coincide(TouchedId f, TouchedId g) {
+    const auto is_plain = [&](TouchedId t) { return touched_.isolated_of(t).empty() && touched_.spared_of(t).empty(); };
+    if (touched_.faces[f].edge_count() != touched_.faces[g].edge_count() || !is_plain(f) || !is_plain(g)) return false;
+    list_edges(f, edges_[0]);
+    list_edges(g, edges_[1]);
+    return edges_[0] == edges_[1];
+  }
+  void list_edges(TouchedId t, Edges& list) const {
+    list.clear();
+    for (const BoundaryEdge& e : touched_.edges_of(t)) list.push_back({std::min(e.from, e.to), std::max(e.from, e.to)});
+    std::sort(list.begin(), list.end());
+  }
+
+  const Touched& touched_;
+  std::array<Edges, 2> edges_;
+  ById<TouchedId, OperandId> twin_in_;  // one that the face has a twin in, none without one; empty: no face has
+};
 
 /// Works through a range of pairs; keeps the points that it makes.
 class Worker {
@@ -56,7 +95,7 @@ class Worker {
       ++exact::counters().symbolic;
       return;
     }
-    if (meet_triangles(pair)) return;
+    if (meet_simply(pair)) return;
 
     const int axis = axis_of_line(names_.planes[f.plane], names_.planes[g.plane]);
     if (axis < 0) return;
@@ -78,42 +117,65 @@ class Worker {
   }
 
  private:
-  /// The face as a triangle between grid points; nothing if it is none.
-  std::optional<GridTriangle> triangle(const TouchedFace& f) const {
-    if (f.edge_count() != 3 || f.isolated_begin != f.isolated_end) return std::nullopt;
-    GridTriangle corners;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const BoundaryEdge &e = touched_.edges[f.edges_begin + k], &next = touched_.edges[f.edges_begin + (k + 1) % 3];
-      if (e.to != next.from || !names_.vertices.is_grid(e.from)) return std::nullopt;
-      corners[k] = names_.vertices.grid_point(e.from);
+  /// An edge between grid points at which a line enters or leaves a face.
+  struct Gate {
+    std::uint32_t edge = none;
+    int from_side = 0;  // of its beginning to the other plane
+    std::array<exact::GridPoint, 2> ends = {};
+  };
+
+  /// The edges at which the line in which a face's plane meets another one enters and leaves the face. False where that
+  /// is not one each, between grid points, or a corner lies on the other plane.
+  bool find_gates(const TouchedFace& f, PlaneId other, Gate& enter, Gate& leave) const {
+    if (f.isolated_begin != f.isolated_end || f.edge_count() > grid::thresholds().large_face) return false;
+    enter.edge = leave.edge = none;
+    VertexId last = none;
+    int last_side = 0;
+    for (std::uint32_t i = f.edges_begin; i < f.edges_end; ++i) {
+      const BoundaryEdge& e = touched_.edges[i];
+      const int from = e.from == last ? last_side : names_.side(e.from, other), to = names_.side(e.to, other);
+      if (from == 0 || to == 0) return false;
+      last = e.to;
+      last_side = to;
+      if (from == to) continue;
+
+      Gate& gate = (from < 0) == f.along ? enter : leave;
+      if (gate.edge != none || !names_.vertices.is_grid(e.from) || !names_.vertices.is_grid(e.to)) return false;
+      gate = {i, from, {names_.vertices.grid_point(e.from), names_.vertices.grid_point(e.to)}};
     }
-    return corners;
+    return true;
   }
 
-  /// Posts the contact of two triangles between grid points in general position; false for others.
-  bool meet_triangles(const TouchedPair& pair) {
-    const std::array<const TouchedFace*, 2> face{&touched_.faces[pair[0]], &touched_.faces[pair[1]]};
-    const auto f = triangle(*face[0]), g = f ? triangle(*face[1]) : std::nullopt;
-    if (!g) return false;
-    const auto crossing = cross(*f, *g);
-    if (!crossing) return false;
-    if (!crossing->meet) return true;
+  /// Posts the contact of two faces whose planes' line passes through each once, by signs alone; false for others.
+  ///
+  /// With P where edge e of f meets the line, Q where edge h of g does, (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f),
+  /// and the orientation of the two edges' ends is the sign of -(e x h) . (Q - P): it tells whether Q comes after P.
+  bool meet_simply(const TouchedPair& pair) {
+    const TouchedFace &f = touched_.faces[pair[0]], &g = touched_.faces[pair[1]];
+    Gate f_in, f_out, g_in, g_out;
+    if (!find_gates(f, g.plane, f_in, f_out) || !find_gates(g, f.plane, g_out, g_in)) return false;
+    if (f_in.edge == none || g_in.edge == none) return true;
 
-    const auto end = [&](const TriangleCrossing::End& e) {
-      const FaceLine line{pair[e.triangle], face[e.triangle]->plane, face[1 - e.triangle]->plane, 0, 0};
-      return tracer_.crossing(line, touched_.edges[face[e.triangle]->edges_begin + e.edge]);
+    const auto order = [](const Gate& e, const Gate& h) {  // +1: the gate h of g comes after e of f
+      const int o = exact::orientation(e.ends[0], e.ends[1], h.ends[0], h.ends[1]);
+      return e.from_side == h.from_side ? o : -o;
     };
-    const NewVertex from = end(crossing->from), to = end(crossing->to);
-    for (const std::size_t own : {0u, 1u}) {
-      const auto place = [&](const TriangleCrossing::End& e) {
-        return e.triangle == own ? face[own]->edges_begin + e.edge : inside_face;
-      };
-      segments.push_back({face[own]->plane,
-                          {from, place(crossing->from)},
-                          {to, place(crossing->to)},
-                          face[1 - own]->plane,
-                          face[1 - own]->operand});
-    }
+    const int begin = order(f_in, g_out), end = order(f_out, g_in);
+    if (begin == 0 || end == 0) return false;
+    if (begin < 0 || end > 0) return true;
+    const int first = order(f_in, g_in), last = order(f_out, g_out);
+    if (first == 0 || last == 0) return false;
+
+    const FaceLine in_f{pair[0], f.plane, g.plane, 0, 0}, in_g{pair[1], g.plane, f.plane, 0, 0};
+    const std::uint32_t from_f = first < 0 ? f_in.edge : none, from_g = first > 0 ? g_in.edge : none;
+    const std::uint32_t to_f = last > 0 ? f_out.edge : none, to_g = last < 0 ? g_out.edge : none;
+    const auto crossing = [&](std::uint32_t on_f, std::uint32_t on_g) {
+      return on_f != none ? tracer_.crossing(in_f, touched_.edges[on_f]) : tracer_.crossing(in_g, touched_.edges[on_g]);
+    };
+    const auto place = [](std::uint32_t edge) { return edge != none ? edge : inside_face; };
+    const NewVertex from = crossing(from_f, from_g), to = crossing(to_f, to_g);
+    post(in_f, {from, place(from_f)}, {to, place(to_f)}, in_g);
+    post(in_g, {from, place(from_g)}, {to, place(to_g)}, in_f);
     return true;
   }
 
@@ -201,11 +263,14 @@ Array<TouchedPair> touched_pairs(const Touched& touched, const FacePairs& pairs)
 }
 
 Contacts find_contacts(const Touched& touched, const Array<TouchedPair>& pairs, Names& names) {
+  const Twins twins(touched, pairs);
+
   // Fixed stretches, results in slots, points named in their order: the same ids for any number of threads.
   const std::size_t length = grid::stretch(512);
   Array<Worker> workers((pairs.size() + length - 1) / length, Worker(touched, names));
   grid::in_stretches(pairs.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) workers[s].meet(pairs[i]);
+    for (std::size_t i = begin; i < end; ++i)
+      if (!twins.has(pairs[i])) workers[s].meet(pairs[i]);
   });
 
   Contacts all;

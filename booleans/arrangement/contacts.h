@@ -14,9 +14,9 @@ inline constexpr std::uint32_t inside_face = none - 1, unknown_place = none;
 struct ContactSegment {
   PlaneId plane;
   VertexId a, b;
-  PlaneId line;              // not parallel to the plane
-  OperandId other;           // whose face meets the face on the plane there
-  std::uint32_t at_a, at_b;  // the places of its ends, both known or both unknown
+  PlaneId line;                                              // not parallel to the plane
+  OperandId other = none;                                    // whose face meets the face on the plane there
+  std::uint32_t at_a = unknown_place, at_b = unknown_place;  // where its ends lie, both known or both unknown
 };
 
 /// A point of the drawing on `plane` that no segment need end in.

@@ -41,26 +41,6 @@ void OutlineMaker::add_segment(const ContactSegment& s) {
   outline_.segments.push_back({forward ? s.a : s.b, forward ? s.b : s.a, s.line, none, 0});
 }
 
-void OutlineMaker::add_lone_face(TouchedId face, std::span<const ContactSegment> all,
-                                 std::span<const std::uint32_t> segments) {
-  add_face(face);
-  auto& start = outline_.change_start;
-  for (const Segment& s : outline_.segments) {
-    start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
-    outline_.changes.push_back({face, s.change});
-  }
-
-  const std::uint32_t first = touched_.faces[face].edges_begin;
-  for (const std::uint32_t i : segments) {
-    const ContactSegment& s = all[i];
-    add_segment(s);
-    start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
-    if (s.at_a != inside_face) outline_.splits.push_back({s.at_a - first, s.a});
-    if (s.at_b != inside_face) outline_.splits.push_back({s.at_b - first, s.b});
-  }
-  start.push_back(static_cast<std::uint32_t>(outline_.changes.size()));
-}
-
 void OutlineMaker::unite_equal_segments() {
   auto& segments = outline_.segments;
   std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
@@ -87,9 +67,10 @@ void OutlineMaker::unite_equal_segments() {
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-/// visit(i, j) for pairs of segments whose boxes meet, and visit(i, segment count + k) for points k near segment i.
-template <class Visit>
-void OutlineMaker::close_pairs(Visit visit) const {
+/// visit(i, j) for pairs of segments of different groups whose boxes meet, and visit(i, segment count + k) for points k
+/// near segment i; from the given segment on.
+template <class GroupOf, class Visit>
+void OutlineMaker::close_pairs(std::uint32_t first, GroupOf group_of, Visit visit) const {
   struct Extent {
     double ul, uh, vl, vh;
   };
@@ -102,29 +83,32 @@ void OutlineMaker::close_pairs(Visit visit) const {
   };
 
   constexpr std::uint32_t most = 24;
-  if (total <= std::min(most, grid::thresholds().few_segments)) {
+  if (total - first <= std::min(most, grid::thresholds().few_segments)) {
     // Approximations are monotone, so strictly separated ones prove that the segments are.
     std::array<Extent, most> box{};
     const auto u = static_cast<std::size_t>(outline_.frame.u()), v = static_cast<std::size_t>(outline_.frame.v());
-    for (std::uint32_t i = 0; i < total; ++i) {
+    for (std::uint32_t i = first; i < total; ++i) {
       const auto [a, b] = ends(i);
       const auto &p = vertices.approximation(a), &q = vertices.approximation(b);
-      box[i] = {p[u], q[u], std::min(p[v], q[v]), std::max(p[v], q[v])};
+      box[i - first] = {p[u], q[u], std::min(p[v], q[v]), std::max(p[v], q[v])};
     }
-    for (std::uint32_t i = 0; i < n; ++i)
+    const auto meet = [](const Extent& x, const Extent& y) {
+      return x.ul <= y.uh && y.ul <= x.uh && x.vl <= y.vh && y.vl <= x.vh;
+    };
+    for (std::uint32_t i = first; i < n; ++i)
       for (std::uint32_t j = i + 1; j < total; ++j)
-        if (box[i].ul <= box[j].uh && box[j].ul <= box[i].uh && box[i].vl <= box[j].vh && box[j].vl <= box[i].vh)
-          visit(i, j);
+        if (meet(box[i - first], box[j - first]) && group_of(i) != group_of(j)) visit(i, j);
     return;
   }
 
-  Array<BoxTree::Item> items(total);
-  for (std::uint32_t i = 0; i < total; ++i) {
+  Array<BoxTree::Item> items(total - first);
+  for (std::uint32_t i = first; i < total; ++i) {
     const auto [a, b] = ends(i);
-    items[i].id = i;
-    items[i].group = i;
-    items[i].box.add(vertices.approximation(a));
-    items[i].box.add(vertices.approximation(b));
+    BoxTree::Item& item = items[i - first];
+    item.id = i;
+    item.group = group_of(i);
+    item.box.add(vertices.approximation(a));
+    item.box.add(vertices.approximation(b));
   }
   BoxTree(items).pairs([&](std::uint32_t i, std::uint32_t j) {
     if (i > j) std::swap(i, j);
@@ -136,12 +120,37 @@ void OutlineMaker::find_splits() {
   unite_equal_segments();
 
   const auto n = static_cast<std::uint32_t>(outline_.segments.size());
-  close_pairs([&](std::uint32_t i, std::uint32_t j) {
+  const auto itself = [](std::uint32_t i) { return i; };
+  close_pairs(0, itself, [&](std::uint32_t i, std::uint32_t j) {
     if (j < n)
       split_pair(i, j);
     else
       split_by_point(i, outline_.points[j - n]);
   });
+}
+
+void OutlineMaker::draw_lone_face(TouchedId face, std::span<const ContactSegment> all,
+                                  std::span<const std::uint32_t> segments) {
+  add_face(face);
+  const auto edges = static_cast<std::uint32_t>(outline_.segments.size());
+  const std::uint32_t first_edge = touched_.faces[face].edges_begin;
+  for (const std::uint32_t i : segments) {
+    const ContactSegment& s = all[i];
+    add_segment(s);
+    if (s.at_a != inside_face) outline_.splits.push_back({s.at_a - first_edge, s.a});
+    if (s.at_b != inside_face) outline_.splits.push_back({s.at_b - first_edge, s.b});
+  }
+
+  for (std::uint32_t i = 0; i < edges; ++i) {
+    outline_.change_start.push_back(i);
+    outline_.changes.push_back({face, outline_.segments[i].change});
+  }
+  outline_.change_start.resize(outline_.segments.size() + 1, edges);
+
+  const auto other = [&](std::uint32_t i) { return all[segments[i - edges]].other.value; };
+  const bool is_one = std::all_of(segments.begin(), segments.end(),
+                                  [&](std::uint32_t i) { return all[i].other == all[segments[0]].other; });
+  if (!is_one) close_pairs(edges, other, [&](std::uint32_t i, std::uint32_t j) { split_pair(i, j); });
 }
 
 void OutlineMaker::split_by_point(std::uint32_t s, VertexId v) {

@@ -47,9 +47,9 @@ class OutlineMaker {
   void add_face(TouchedId face);
   void add_segment(const ContactSegment& s);
   void add_point(VertexId v) { outline_.points.push_back(v); }
-  /// Instead of all that: one face of a clean operand, and segments in which the faces of one other clean operand meet
-  /// it, their ends' places known. They meet nothing but in their ends.
-  void add_lone_face(TouchedId face, std::span<const ContactSegment> all, std::span<const std::uint32_t> segments);
+  /// Instead of all that: one face of a clean operand, and segments in which faces of others, clean too, meet it, their
+  /// ends' places known. Those of one operand meet in common ends only.
+  void draw_lone_face(TouchedId face, std::span<const ContactSegment> all, std::span<const std::uint32_t> segments);
   /// Finds where segments cross, touch and overlap. Points where they cross stay in the outline until they get names.
   void find_splits();
 
@@ -60,8 +60,8 @@ class OutlineMaker {
   bool strictly_inside(VertexId v, const Segment& s) const { return before(s.a, v) && before(v, s.b); }
 
   void unite_equal_segments();
-  template <class Visit>
-  void close_pairs(Visit visit) const;
+  template <class GroupOf, class Visit>
+  void close_pairs(std::uint32_t first, GroupOf group_of, Visit visit) const;
   void split_pair(std::uint32_t s, std::uint32_t t);
   void split_collinear(std::uint32_t s, std::uint32_t t);
   void split_by_point(std::uint32_t s, VertexId v);

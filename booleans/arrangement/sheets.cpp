@@ -93,19 +93,17 @@ struct Plan {
   }
 };
 
-/// Is a sheet one face of a clean operand, met by faces of one other operand, clean too, in segments whose ends' places
-/// are known? Faces of a clean operand meet in common edges and vertices only, so these segments meet in common ends
+/// Is a sheet one face of a clean operand, met by faces of others, clean too, in segments whose ends' places are known?
+/// Faces of a clean operand meet in common edges and vertices only, so the segments of one operand meet in common ends
 /// only, and end on the face's boundary or where another one goes on.
 bool is_lone_face(const Touched& touched, const Contacts& contacts, std::span<const std::uint32_t> faces,
                   std::span<const std::uint32_t> segments, std::span<const std::uint32_t> points) {
-  if (!touched.cover_once || faces.size() != 1 || !points.empty() || segments.empty()) return false;
-  const TouchedId face = faces[0];
-  if (!touched.isolated_of(face).empty()) return false;
-  const OperandId other = contacts.segments[segments[0]].other;
-  if (other == touched.faces[face].operand) return false;
+  if (!touched.cover_once || faces.size() != 1 || !points.empty() || !touched.isolated_of(faces[0]).empty())
+    return false;
+  const OperandId own = touched.faces[faces[0]].operand;
   return std::all_of(segments.begin(), segments.end(), [&](std::uint32_t i) {
     const ContactSegment& s = contacts.segments[i];
-    return s.other == other && s.at_a != unknown_place;
+    return s.other != own && s.at_a != unknown_place;
   });
 }
 
@@ -174,7 +172,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
       sheets[i].plane = plan.plane[i];
       OutlineMaker maker(touched, names, plan.plane[i], desk.outline);
       if (is_lone_face(touched, contacts, plan.faces[i], plan.segments[i], plan.points[i])) {
-        maker.add_lone_face(plan.faces[i][0], contacts.segments, plan.segments[i]);
+        maker.draw_lone_face(plan.faces[i][0], contacts.segments, plan.segments[i]);
       } else {
         for (const std::uint32_t f : plan.faces[i]) maker.add_face(f);
         for (const std::uint32_t s : plan.segments[i]) maker.add_segment(contacts.segments[s]);

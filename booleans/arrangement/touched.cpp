@@ -11,6 +11,7 @@ struct TouchedPart {
   struct Edge {
     std::uint32_t from, to;  // own vertices
     std::uint32_t other;     // index into planes
+    std::uint32_t across;    // the only other face at the edge, which runs backward there; none where that is not known
   };
   struct Use {
     std::uint32_t from, to, face;  // own vertices, own face
@@ -139,32 +140,35 @@ class Collector {
     for (std::size_t i = first; i < part.members.size(); ++i) {
       const std::uint32_t member = part.members[i];
       body_.for_edges(member, [&](std::uint32_t u, std::uint32_t v) {
-        const std::uint32_t mate = coplanar_mate(member, u, v, plane);
-        if (mate == none)
-          part.edges.push_back({u, v, none});
-        else if (touched_of_[mate] == none)
-          add_member(mate);
+        const std::uint32_t across = face_across(member, u, v);
+        if (!continues(across, u, v, plane))
+          part.edges.push_back({u, v, none, across});
+        else if (touched_of_[across] == none)
+          add_member(across);
       });
     }
     end_region();
   }
 
-  /// The triangle that continues triangle t over its directed edge (u, v), if the edge is no real edge.
-  std::uint32_t coplanar_mate(std::uint32_t t, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) {
-    std::uint32_t mate = none;
+  /// The only other face at an edge of triangle t, if it runs from v to u; else none.
+  std::uint32_t face_across(std::uint32_t t, std::uint32_t u, std::uint32_t v) {
+    std::uint32_t across = none;
     int faces = 0;
-    bool reversed = false;
     at_edge(u, v).faces_at_edge(u, v, [&](std::uint32_t f, bool forward) {
       ++faces;
-      if (f != t) mate = f, reversed = !forward;
+      if (f != t && !forward) across = f;
     });
-    if (faces != 2 || mate == none || !reversed || mate >= body_.triangles.size()) return none;
+    return faces == 2 ? across : none;
+  }
 
-    const auto& c = body_.triangles[mate];
+  /// Does a face at the edge {u, v} continue a triangle on that plane: is it one, too, with the same oriented plane?
+  bool continues(std::uint32_t face, std::uint32_t u, std::uint32_t v, const exact::Plane& plane) const {
+    if (face >= body_.triangles.size()) return false;
+    const auto& c = body_.triangles[face];
     for (const std::uint32_t w : c)
-      if (w != u && w != v && exact::side(plane, body_.grid_points[w]) != 0) return none;
+      if (w != u && w != v && exact::side(plane, body_.grid_points[w]) != 0) return false;
     const auto other = exact::plane_through(body_.grid_points[c[0]], body_.grid_points[c[1]], body_.grid_points[c[2]]);
-    return other && *other == plane ? mate : none;
+    return other && *other == plane;
   }
 
   void add_polygon(std::uint32_t f) {
@@ -172,7 +176,7 @@ class Collector {
     add_member(f);
     for_drawn_loops(f, [&](std::span<const std::uint32_t> loop) {
       if (loop.size() == 1) part.isolated.push_back(loop[0]);
-      grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { part.edges.push_back({u, v, none}); });
+      grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { part.edges.push_back({u, v, none, none}); });
     });
     if (spared_.any()) {
       const std::uint32_t p = body_.polygon(f);
@@ -192,7 +196,7 @@ class Collector {
 
     for (std::uint32_t i = part.faces[t].edges_begin; i < part.faces[t].edges_end; ++i) {
       TouchedPart::Edge& e = part.edges[i];
-      at_edge(e.from, e.to).faces_at_edge(e.from, e.to, [&](std::uint32_t f, bool forward) {
+      const auto add_face = [&](std::uint32_t f, bool forward) {
         const TouchedId g = touched_of_[f];
         if (g == t) return;
         if (g != none) {
@@ -201,7 +205,11 @@ class Collector {
         }
         part.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, f});
         if (const exact::Plane plane = body_.plane(f); !same_plane(plane, own)) e.other = new_plane(plane);
-      });
+      };
+      if (e.across != none)
+        add_face(e.across, false);
+      else
+        at_edge(e.from, e.to).faces_at_edge(e.from, e.to, add_face);
       if (e.other != none) continue;
       assert(body_.is_grid(e.from) && body_.is_grid(e.to));
       e.other = new_plane(exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], own));

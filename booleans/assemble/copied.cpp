@@ -137,12 +137,10 @@ template <class Loops, class CornerOf>
 void add_kept_loops(const Making& m, OperandId o, std::uint32_t face, CornerOf corner_of, Loops& loops) {
   const Body& body = m.a.operands[o];
   const bool turned = is_turned(m, o, face);
-  Array<decltype(corner_of(0))> corners;
   body.polygons.for_loops(body.polygon(face), [&](std::span<const std::uint32_t> loop) {
-    corners.clear();
-    for (const std::uint32_t v : loop) corners.push_back(corner_of(v));
-    if (turned) std::reverse(corners.begin(), corners.end());
-    loops.add_loop(corners);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      loops.corners.push_back(corner_of(loop[turned ? loop.size() - 1 - i : i]));
+    loops.end_loop();
   });
 }
 

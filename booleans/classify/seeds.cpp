@@ -118,7 +118,12 @@ class CornerCollector {
 
   void add_uses() {
     const Arrangement& a = open_.a;
+    ById<VertexId, std::uint8_t> is_wanted(a.names.vertices.size());
+    for (const auto& [v, c] : wanted_)
+      if (v.is_named()) is_wanted[v.named()] = 1;
+
     for (const Use& u : a.uses.list) {
+      if (!is_wanted[u.low] && !is_wanted[u.high]) continue;
       if (!a.sheets.is_facet(u.node)) continue;  // untouched faces follow
       UseCorner corner{u.high, u.node, a.names.planes[u.plane], a.names.planes[u.line], u.left, false};
       offer(u.low, corner);

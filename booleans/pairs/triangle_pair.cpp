@@ -115,36 +115,6 @@ bool meet(const GridTriangle& p, const GridTriangle& q) {
   return orientation(p0, p1, q0, q1) <= 0 && orientation(p0, p2, q2, q0) <= 0;
 }
 
-/// Along n_f x n_g a triangle is entered by its edge from the negative to the positive side of the other's plane (g:
-/// from the positive to the negative one) and left by the opposite one (the strip rule of arrangement/line_trace.h).
-/// With P where edge e of f meets that line, Q where edge h of g does, (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f),
-/// and the orientation of the two edges' ends is that of -(e x h) . (Q - P): it tells whether Q comes after P.
-std::optional<TriangleCrossing> cross(const GridTriangle& f, const GridTriangle& g) {
-  const std::array<int, 3> sf = sides(g, f), sg = sides(f, g);
-  std::uint32_t enter_f = 3, leave_f = 3, enter_g = 3, leave_g = 3;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t next = (k + 1) % 3;
-    if (sf[k] == 0 || sg[k] == 0) return std::nullopt;
-    if (sf[k] != sf[next]) (sf[k] < 0 ? enter_f : leave_f) = k;
-    if (sg[k] != sg[next]) (sg[k] < 0 ? leave_g : enter_g) = k;
-  }
-  if (enter_f == 3 || enter_g == 3) return TriangleCrossing{false, {}, {}};
-
-  const auto order = [&](std::uint32_t i, std::uint32_t j) {  // +1: the place on edge j of g is after that on i of f
-    const int o = orientation(f[i], f[(i + 1) % 3], g[j], g[(j + 1) % 3]);
-    return sf[i] == sg[j] ? o : -o;
-  };
-  const int overlap_first = order(enter_f, leave_g), overlap_last = order(leave_f, enter_g);
-  if (overlap_first == 0 || overlap_last == 0) return std::nullopt;
-  if (overlap_first < 0 || overlap_last > 0) return TriangleCrossing{false, {}, {}};
-
-  const int first = order(enter_f, enter_g), last = order(leave_f, leave_g);
-  if (first == 0 || last == 0) return std::nullopt;
-  using End = TriangleCrossing::End;
-  return TriangleCrossing{true, first > 0 ? End{1, enter_g} : End{0, enter_f},
-                          last > 0 ? End{0, leave_f} : End{1, leave_g}};
-}
-
 bool meet(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
   const int sp = orientation(t[0], t[1], t[2], p), sq = orientation(t[0], t[1], t[2], q);
   if (sp * sq > 0) return false;

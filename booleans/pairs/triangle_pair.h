@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "booleans/body/body.h"
 
@@ -23,20 +22,6 @@ bool meet(const exact::GridPoint& p, const exact::GridPoint& q, const GridTriang
 /// Do two closed triangles (of non-zero area) share a point?
 /// Source: P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
 bool meet(const GridTriangle& p, const GridTriangle& q);
-
-/// How two triangles cross each other.
-struct TriangleCrossing {
-  /// Where an edge of one triangle, from that corner to the next, passes through the other one.
-  struct End {
-    std::uint32_t triangle, edge;
-  };
-  bool meet;
-  End from, to;  // of the segment in which they meet
-};
-
-/// Nothing unless the triangles are in general position: a corner of one lies on the plane of the other, or an edge
-/// crosses an edge. They are named 0 and 1.
-std::optional<TriangleCrossing> cross(const GridTriangle& f, const GridTriangle& g);
 
 /// Do two raw triangles of a body meet anywhere but in a common corner or edge, or overlap across one?
 bool meet_out_of_place(const Body& mesh, std::uint32_t s, std::uint32_t t);

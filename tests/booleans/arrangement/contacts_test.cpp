@@ -55,5 +55,56 @@ TEST(Contacts, BarThroughTheHoleOfAFaceOfManyEdges) {
   EXPECT_FALSE(contacts_of({plate, box({1, 4, -3}, {3, 5, 3})}).empty());
 }
 
+// Faces that a line enters and leaves once are met by signs alone, others along the line: with the same contacts.
+TEST(Contacts, BySignsAloneAsAlongLines) {
+  std::size_t known = 0;
+  for_families(0xC0A7, 12, [&](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next(), solids.next()};
+    const Drawn drawn(bodies);
+    for (const ContactSegment& s : drawn.contacts.segments) known += s.at_a != unknown_place;
+    const WithThresholds along_lines(grid::testing::with(&grid::Thresholds::large_face, std::uint32_t{0}));
+    ASSERT_EQ(sorted_lines(dump(drawn.contacts, drawn.names)), contacts_of(bodies));
+  });
+  EXPECT_GT(known, 1000u);
+}
+
+// An end that is said to lie inside a boundary edge does, and one inside the face lies on no edge.
+TEST(Contacts, EndsLieWhereTheyAreSaidTo) {
+  for_families(0xE4D5, 12, [&](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next()};
+    const Drawn d(bodies);
+    for (const ContactSegment& s : d.contacts.segments) {
+      if (s.at_a == unknown_place) continue;
+      const auto on_edge = [&](VertexId v, const BoundaryEdge& e) {
+        return d.names.side(v, e.other) == 0 && v != e.from && v != e.to;
+      };
+      for (const auto& [v, at] : {std::pair(s.a, s.at_a), std::pair(s.b, s.at_b)}) {
+        if (at != inside_face) {
+          ASSERT_TRUE(on_edge(v, d.touched.edges[at]));
+          continue;
+        }
+        for (const TouchedId t : Ids<TouchedId>(d.touched.faces.size()))
+          if (d.touched.faces[t].plane == s.plane && d.touched.faces[t].operand != s.other)
+            for (const BoundaryEdge& e : d.touched.edges_of(t)) ASSERT_TRUE(v != e.from && v != e.to);
+      }
+    }
+  });
+}
+
+// Of coinciding faces of two solids, what meets the one is a neighbour of the other: nothing is posted.
+TEST(Contacts, CoincidingSolidsMakeNone) {
+  const std::vector<Body> boxes{box({0, 0, 0}, {2, 2, 2}), box({0, 0, 0}, {2, 2, 2})};
+  EXPECT_TRUE(contacts_of(boxes).empty());
+}
+
+// A face may have a twin and be met by faces that have none: those are posted.
+TEST(Contacts, TwinsMetByOthers) {
+  const std::vector<Body> bodies{box({0, 0, 0}, {4, 4, 4}), box({0, 0, 4}, {4, 4, 8}), box({1, 1, 2}, {2, 2, 6})};
+  const auto lines = contacts_of(bodies);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.starts_with("on [0 0 1 -4]"); }),
+            8);
+}
+
 }  // namespace
 }  // namespace quoin::booleans::testing

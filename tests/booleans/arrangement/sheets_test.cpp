@@ -40,6 +40,21 @@ TEST(Sheets, TipOnAFace) {
                                                        }));
 }
 
+// Sheets of one face whose contacts' ends have known places are drawn as if nobody knew.
+TEST(Sheets, KnownPlacesChangeNothing) {
+  for_families(0x5EE7, 12, [&](Solids& solids, Random& random) {
+    std::vector<Body> bodies{solids.next(), solids.next()};
+    if (random.one_in(2)) bodies.push_back(solids.next());
+    const Drawn drawn(bodies);
+    Names names;
+    const Touched touched = collect_touched(drawn.operands, drawn.pairs, names);
+    Contacts contacts = find_contacts(touched, touched_pairs(touched, drawn.pairs), names);
+    for (ContactSegment& s : contacts.segments) s.at_a = s.at_b = unknown_place;
+    const Sheets sheets = draw_sheets(touched, contacts, names);
+    ASSERT_EQ(dump(drawn.sheets, drawn.names), dump(sheets, names));
+  });
+}
+
 // The corner of one cube in another: each face that takes part is cut into an L and a square.
 TEST(Sheets, CornerOfACubeInACube) {
   const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
