@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "booleans/boolean.h"
+#include "grid/lists/stretches.h"
 #include "quoin/quoin.h"
 
 namespace quoin {
@@ -46,6 +47,10 @@ auto run_to_end(const Options& run, Work&& work) {
 template <class Work>
 auto with_threads(unsigned threads, Work&& work) {
   if (threads == 0) return work();
+  if (threads == 1) {
+    const grid::Serially serially;
+    return work();
+  }
   const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(threads, most)));
   return arena.execute(std::forward<Work>(work));

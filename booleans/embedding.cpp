@@ -164,9 +164,11 @@ NodeId wrong_node(const Arrangement& a, const Selection& selection) {
       const TouchedId t = a.sheets[s].covers(a.sheets.facet_of(n))[0];
       if (selection.kept[n] != a.touched.faces[t].jump()) return n;
     }
-  for (const NodeId patch : a.patches().of)
-    if (patch != none && selection.kept[patch] != 1) return patch;
-  return none;
+  NodeId wrong = none;
+  a.for_untouched([&](FaceId, NodeId patch) {
+    if (wrong == none && selection.kept[patch] != 1) wrong = patch;
+  });
+  return wrong;
 }
 
 /// `culprits`: nullptr, or where the face goes.

@@ -18,8 +18,10 @@ NodePlace place_of(const Arrangement& a, NodeId n) {
     return {a.operands.face(face.operand, face.source), a.names.vertices.approximation(a.touched.edges_of(t)[0].from)};
   }
 
-  const auto& patch_of = a.patches().of;
-  const FaceId face = static_cast<std::uint32_t>(std::find(patch_of.begin(), patch_of.end(), n) - patch_of.begin());
+  FaceId face = none;
+  a.for_untouched([&](FaceId f, NodeId patch) {
+    if (patch == n && face == none) face = f;
+  });
   const OwnFace own = a.operands.own(face);
   const Body& body = a.operands[own.operand];
   return {face, body.approximation(body.corners_of(own.face).back())};

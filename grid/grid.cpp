@@ -126,10 +126,21 @@ Rational model_coordinate(const Lattice& lattice, std::int32_t grid_coordinate, 
   return lattice.origin[static_cast<std::size_t>(k)] + lattice.step * grid_coordinate;
 }
 
+namespace {
+
+/// The origin and the step over one denominator.
+exact::CommonFraction<4> over_common_denominator(const Lattice& lattice) {
+  const auto& o = lattice.origin;
+  if (std::all_of(o.begin(), o.end(), [](const Rational& x) { return x == 0; }))
+    return {{0, 0, 0, numerator(lattice.step)}, denominator(lattice.step)};
+  return exact::over_common_denominator(std::array{o[0], o[1], o[2], lattice.step});
+}
+
+}  // namespace
+
 std::optional<Affine> affine(const Lattice& lattice) {
   assert(lattice.step > 0);
-  const std::array v{lattice.origin[0], lattice.origin[1], lattice.origin[2], lattice.step};
-  const auto [scaled, common] = exact::over_common_denominator(v);
+  const auto [scaled, common] = over_common_denominator(lattice);
 
   // Twos move into the exponent.
   auto twos = lsb(scaled[3]);

@@ -50,6 +50,7 @@ std::optional<Affine> affine(const Lattice& lattice);
 /// Correctly rounded (ties to even, never -0) model coordinates of points on one lattice.
 class Rounder {
  public:
+  /// The lattice must outlive it.
   explicit Rounder(const Lattice& lattice);
   double to_double(const exact::Point& point, int k) const;
   double to_double(std::int32_t grid_coordinate, int k) const;
@@ -59,7 +60,7 @@ class Rounder {
   bool is_exact() const { return affine_ && affine_->denominator == 1; }
 
  private:
-  Lattice lattice_;
+  const Lattice& lattice_;
   std::optional<Affine> affine_;
   double scale_ = 0;                    // 2^exponent
   std::array<double, 3> scaling_ = {};  // the step where coordinate k only scales by a power of two, else 0

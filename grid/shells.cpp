@@ -1,12 +1,11 @@
 #include "grid/shells.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cassert>
 #include <tuple>
 
 #include "grid/lists/partition.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::grid {
 
@@ -38,7 +37,7 @@ Array<EdgeUse> edge_uses(std::span<const Triangle> triangles) {
       uses.push_back({std::min(a, b), std::max(a, b), t, a < b ? 1 : -1});
     }
 
-  tbb::parallel_sort(uses.begin(), uses.end());
+  sort_side_by_side(uses.begin(), uses.end());
   return uses;
 }
 

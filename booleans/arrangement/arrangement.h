@@ -18,6 +18,14 @@ struct Arrangement {
   const Patches& patches() const { return uses.patches; }
   std::uint32_t node_count() const { return uses.patches.node_count(); }
 
+  /// visit(face, patch) for every untouched face.
+  template <class Visit>
+  void for_untouched(Visit&& visit) const {
+    for (const OperandChunk& c : operands.chunks)
+      for (const FaceId f : Ids<FaceId>(c.begin, c.end))
+        if (const NodeId n = patches().of[f]; n != none) visit(f, n);
+  }
+
   /// visit(operand, by) for the change of winding numbers from a node's front (the canonical normal's side, or the
   /// outward one of a patch) to its back.
   template <class Visit>

@@ -1,5 +1,7 @@
 #include "booleans/arrangement/contacts.h"
 
+#include <deque>
+
 #include "booleans/arrangement/line_trace.h"
 #include "grid/lists/stretches.h"
 
@@ -267,7 +269,8 @@ Contacts find_contacts(const Touched& touched, const Array<TouchedPair>& pairs, 
 
   // Fixed stretches, results in slots, points named in their order: the same ids for any number of threads.
   const std::size_t length = grid::stretch(512);
-  Array<Worker> workers((pairs.size() + length - 1) / length, Worker(touched, names));
+  std::deque<Worker> workers;
+  for (std::size_t i = 0; i < pairs.size(); i += length) workers.emplace_back(touched, names);
   grid::in_stretches(pairs.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (!twins.has(pairs[i])) workers[s].meet(pairs[i]);

@@ -142,9 +142,9 @@ int VertexTable::compare_lexicographic(VertexId u, VertexId v) const {
 
 VertexId Names::name(const Body& body, OperandId operand, std::uint32_t v) {
   OperandNames& own = operands[operand];
-  if (own.name_of.empty()) own.name_of.assign(body.vertex_count(), none);
+  if (own.name_of.size() == 0) own.name_of = grid::Paged<VertexId>(body.vertex_count(), none);
 
-  VertexId& name = own.name_of[v];
+  VertexId& name = own.name_of.at(v);
   if (name == none) {
     name = vertices.id(body, v);
     own.listed.push_back(v);

@@ -11,6 +11,7 @@
 #include "booleans/body/body.h"
 #include "booleans/body/ids.h"
 #include "exact/predicates.h"
+#include "grid/lists/paged.h"
 
 namespace quoin::booleans {
 
@@ -100,10 +101,10 @@ class VertexTable {
 
 /// Which vertices of one operand are in the table of vertices.
 struct OperandNames {
-  Array<VertexId> name_of;      // by own vertex, none where it has no name; empty where none has
-  Array<std::uint32_t> listed;  // the own vertices that have a name
+  grid::Paged<VertexId> name_of;  // by own vertex, none where it has no name; of no size where none has
+  Array<std::uint32_t> listed;    // the own vertices that have a name
 
-  VertexId of(std::uint32_t v) const { return name_of.empty() ? VertexId(none) : name_of[v]; }
+  VertexId of(std::uint32_t v) const { return name_of.size() == 0 ? VertexId(none) : name_of[v]; }
 };
 
 struct Names {

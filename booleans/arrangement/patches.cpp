@@ -13,7 +13,8 @@ struct PatchPart {
   const Operands& operands;
   const Touched& touched;
   OperandId operand;
-  Patches& out;
+
+  PatchPart(const Operands& all, const Touched& t, OperandId o) : operands(all), touched(t), operand(o) {}
 
   const Body& body() const { return operands[operand]; }
   bool is_touched(std::uint32_t f) const { return touched.is_touched(operands.face(operand, f)); }
@@ -28,55 +29,73 @@ struct PatchPart {
   void for_untouched(Visit&& visit) const {
     for (const OperandChunk& c : operands.chunks_of(operand)) for_untouched(c, visit);
   }
-  /// Puts a face into a patch, which gets the next number if it has none. Numbers count from the operand's first.
-  void assign(std::uint32_t f, std::uint32_t& patch, std::uint32_t& count) const {
+  /// Puts a face into a patch, which gets the next number if it has none.
+  void assign(std::uint32_t f, std::uint32_t& patch) {
     if (patch == none) patch = count++;
-    out.of[operands.face(operand, f)] = patch;
+    faces.push_back({f, patch});
   }
+
+  std::uint32_t count = 0;  // of patches
+  bool has_far = false;     // the first one is that of far faces, which are not listed
+  struct Assigned {
+    std::uint32_t face, patch;  // own numbers
+  };
+  Array<Assigned> faces;
+  Array<CrowdedEdge> crowded;
 };
 
-/// How many patches there are. Far faces are one patch, wherever they are: their labels are known. Near ones join it
-/// over vertices of the far faces around them.
-std::uint32_t glue_over_vertices(const PatchPart& part) {
+/// Far faces are one patch, wherever they are: their labels are known. Near ones join it over vertices of the far faces
+/// around them.
+void glue_over_vertices(PatchPart& part) {
   const Body& body = part.body();
   const auto chunks = part.operands.chunks_of(part.operand);
-  Box around;  // near faces that are not touched
-  grid::Partition parts(body.vertex_count());
-  Array<std::uint8_t> is_near(body.vertex_count());
+  Array<BoxTree::Item> boxes;  // of near chunks, or of their vertices if there are few
+  Array<BoxTree::Item> points;
+  grid::Numbering near(body.vertex_count());
+  for (const OperandChunk& c : chunks) {
+    part.has_far = part.has_far || c.far;
+    if (c.far) continue;
+    boxes.emplace_back().box = c.box;
+    part.for_untouched(c, [&](std::uint32_t f) {
+      for (const std::uint32_t v : body.corners_of(f)) {
+        const std::uint32_t before = near.size();
+        if (near.add(v) == before && before < chunks.size()) body.add_to(points.emplace_back().box, v);
+      }
+    });
+  }
+
+  grid::Partition parts(near.size());
   for (const OperandChunk& c : chunks)
     if (!c.far)
       part.for_untouched(c, [&](std::uint32_t f) {
-        around.add(c.box);
         const auto corners = body.corners_of(f);
-        for (const std::uint32_t v : corners) {
-          is_near[v] = 1;
-          parts.unite(corners[0], v);
-        }
+        for (const std::uint32_t v : corners) parts.unite(near[corners[0]], near[v]);
       });
 
   std::uint32_t anchor = none;  // a vertex of near and far faces
-  for (const OperandChunk& c : chunks)
-    if (c.far && c.box.meets(around))
-      part.for_untouched(c, [&](std::uint32_t f) {
-        for (const std::uint32_t v : body.corners_of(f)) {
-          if (!is_near[v]) continue;
-          if (anchor == none) anchor = v;
-          parts.unite(anchor, v);
-        }
-      });
+  const BoxTree around(near.size() < chunks.size() ? points : boxes);
+  for (const OperandChunk& c : chunks) {
+    bool meets = false;
+    if (c.far) around.meeting(c.box, [&](std::uint32_t) { meets = true; });
+    if (!meets) continue;
+    for (const FaceId f : Ids<FaceId>(c.begin, c.end))
+      for (const std::uint32_t v : body.corners_of(part.operands.own(part.operand, f))) {
+        const std::uint32_t n = near[v];
+        if (n == none) continue;
+        if (anchor == none) anchor = n;
+        parts.unite(anchor, n);
+      }
+  }
 
-  std::uint32_t count = 0;
-  if (std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; }))
-    part.out.far[part.operand] = count++;
-  Array<std::uint32_t> patch(body.vertex_count(), none);
+  if (part.has_far) ++part.count;
+  Array<std::uint32_t> patch(near.size(), none);
   if (anchor != none) patch[parts.find(anchor)] = 0;
   for (const OperandChunk& c : chunks)
     if (!c.far)
-      part.for_untouched(c, [&](std::uint32_t f) { part.assign(f, patch[parts.find(body.corners_of(f)[0])], count); });
-  return count;
+      part.for_untouched(c, [&](std::uint32_t f) { part.assign(f, patch[parts.find(near[body.corners_of(f)[0]])]); });
 }
 
-std::uint32_t glue_over_edges(const PatchPart& part) {
+void glue_over_edges(PatchPart& part) {
   const Body& body = part.body();
   const Adjacency* adjacency = part.touched.adjacency[part.operand].get();
   std::optional<Adjacency> own;
@@ -92,16 +111,32 @@ std::uint32_t glue_over_edges(const PatchPart& part) {
         if (g != f && !forward) mate = g;
       });
       if (count != 2 || mate == none)
-        part.out.crowded[part.operand].push_back({part.operands.face(part.operand, f), u, v});
+        part.crowded.push_back({part.operands.face(part.operand, f), u, v});
       else if (!part.is_touched(mate))
         parts.unite(f, mate);
     });
   });
 
-  std::uint32_t count = 0;
   Array<std::uint32_t> patch(body.face_count(), none);
-  part.for_untouched([&](std::uint32_t f) { part.assign(f, patch[parts.find(f)], count); });
-  return count;
+  part.for_untouched([&](std::uint32_t f) { part.assign(f, patch[parts.find(f)]); });
+}
+
+/// Adds the patches of one operand.
+void add_part(const Operands& operands, const PatchPart& part, Patches& out) {
+  const OperandId o = part.operand;
+  const NodeId first = out.node_count();
+  out.operand_of.insert(out.operand_of.end(), part.count, o);
+  out.crowded[o] = part.crowded;
+
+  if (part.has_far) {
+    out.far[o] = first;
+    const auto chunks = operands.chunks_of(o);
+    for (std::size_t i = 0, next = 0; i < chunks.size(); i = next) {  // faces between two chunks are gone
+      for (next = i + 1; next < chunks.size() && chunks[i].far && chunks[next].far;) ++next;
+      if (chunks[i].far) out.of.fill(chunks[i].begin.value, chunks[next - 1].end.value, first);
+    }
+  }
+  for (const auto& [f, patch] : part.faces) out.of.at(operands.face(o, f)) = first.value + patch;
 }
 
 }  // namespace
@@ -110,39 +145,19 @@ Patches glue(const Operands& operands, const Touched& touched, const Sheets& she
   const std::size_t n = operands.bodies.size();
   Patches out;
   out.first = sheets.facet_count();
-  out.of.assign(operands.face_count(), none);
+  out.of = grid::PagedById<FaceId, NodeId>(operands.face_count(), none);
   out.far.assign(n, none);
   out.crowded.resize(n);
 
-  ById<OperandId, std::uint32_t> count(n);
+  std::vector<PatchPart> parts;
+  for (const OperandId o : operands.ids()) parts.emplace_back(operands, touched, o);
   grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
-    const OperandId o = static_cast<std::uint32_t>(i);
-    const PatchPart part{operands, touched, o, out};
-    count[o] = operands.are_clean ? glue_over_vertices(part) : glue_over_edges(part);
+    if (operands.are_clean)
+      glue_over_vertices(parts[i]);
+    else
+      glue_over_edges(parts[i]);
   });
-
-  // Patches get their ids operand by operand, whichever was done first.
-  ById<OperandId, NodeId> first(n);
-  for (const OperandId o : operands.ids()) {
-    first[o] = out.node_count();
-    out.operand_of.insert(out.operand_of.end(), count[o], o);
-    if (out.far[o] != none) out.far[o] = out.far[o].value + first[o].value;
-  }
-  grid::in_stretches(operands.chunks.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const OperandChunk& c = operands.chunks[i];
-      const bool far = operands.are_clean && c.far;
-      const NodeId base = first[c.operand];
-      if (!far && base == NodeId(0)) continue;
-      for (const FaceId f : Ids<FaceId>(c.begin, c.end)) {
-        if (far)
-          out.of[f] = base;
-        else if (out.of[f] != none)
-          out.of[f] = out.of[f].value + base.value;
-      }
-    }
-  });
-  for (const FaceId f : touched.members) out.of[f] = none;
+  for (const PatchPart& part : parts) add_part(operands, part, out);
   return out;
 }
 

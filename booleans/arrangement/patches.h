@@ -13,9 +13,9 @@ struct CrowdedEdge {
 };
 
 struct Patches {
-  ById<FaceId, NodeId> of;      // none for touched faces
-  Array<OperandId> operand_of;  // by patch: node - first
-  NodeId first;                 // patches follow the facets
+  grid::PagedById<FaceId, NodeId> of;  // none for touched faces; of a patched body not for gone ones
+  Array<OperandId> operand_of;         // by patch: node - first
+  NodeId first;                        // patches follow the facets
   /// Per operand: the patch of the untouched faces of far chunks, and of those that hang together with them; none
   /// without far chunks. Where touched faces reach through all of these it has no face. In front of it (of an operand
   /// that is full at infinity: behind it) all is as at infinity.

@@ -149,10 +149,26 @@ struct Batch {
   }
 };
 
-/// The memory of a thread, kept from sheet to sheet.
+/// What sheets are drawn in: memory that is kept from sheet to sheet.
 struct Desk {
   Outline outline;
   Drawing drawing;
+};
+
+/// One for each thread. Those of small operations are kept for the next operation of the thread.
+class Desks {
+ public:
+  explicit Desks(const Names& names) : are_kept_(names.vertices.size() < few_vertices) {}
+
+  Desk& local() {
+    static thread_local Desk kept;
+    return are_kept_ ? kept : own_.local();
+  }
+
+ private:
+  static constexpr std::size_t few_vertices = 4096;
+  bool are_kept_;
+  tbb::enumerable_thread_specific<Desk> own_;
 };
 
 }  // namespace
@@ -160,7 +176,7 @@ struct Desk {
 Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& names) {
   const Plan plan(touched, contacts, names.planes.size());
   const std::size_t n = plan.plane.size();
-  tbb::enumerable_thread_specific<Desk> desks;
+  Desks desks(names);
   ById<SheetId, Sheet> sheets(n);
 
   // Sheets whose segments cross in new points wait until these have names.

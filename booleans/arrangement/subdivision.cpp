@@ -82,12 +82,13 @@ const Drawing::Order& order_vertices(const Names& names, const Outline& outline,
                                      Drawing::Order& order) {
   auto& vertices = order.vertices;
   auto& rank_of = order.rank_of;
-  if (rank_of.size() < names.vertices.size()) rank_of.resize(names.vertices.size(), none);
+  for (const VertexId v : vertices) rank_of[v] = none;  // those of the sheet before
   vertices.clear();
+  if (rank_of.size() < names.vertices.size()) rank_of.resize(names.vertices.size(), none);
   const auto add = [&](VertexId v) {
     if (rank_of[v] != none) return;
-    rank_of[v] = 0;
     vertices.push_back(v);
+    rank_of[v] = 0;
   };
   for (const VertexId v : outline.points) add(v);
   for (const auto& e : elements.list) {
@@ -99,7 +100,6 @@ const Drawing::Order& order_vertices(const Names& names, const Outline& outline,
   for (std::uint32_t i = 0; i < vertices.size(); ++i) rank_of[vertices[i]] = i;
   order.rank.resize(elements.half_edges());
   for (std::uint32_t h = 0; h < order.rank.size(); ++h) order.rank[h] = rank_of[elements.origin(h)];
-  for (const VertexId v : vertices) rank_of[v] = none;
   return order;
 }
 

@@ -32,7 +32,7 @@ struct Drawing {
   struct Order {
     std::vector<VertexId> vertices;
     std::vector<std::uint32_t> rank;
-    ById<VertexId, std::uint32_t> rank_of;  // memory of the step; none between sheets
+    ById<VertexId, std::uint32_t> rank_of;  // of the vertices, none for others
   };
   /// Half-edges around each vertex.
   struct Rotation {

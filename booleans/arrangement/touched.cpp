@@ -22,7 +22,11 @@ struct TouchedPart {
   Array<std::uint32_t> isolated;  // own vertices
   Array<std::uint32_t> spared;    // own loops
   Array<Use> untouched;
-  Array<std::uint32_t> members;  // own faces
+  struct Member {
+    std::uint32_t face;  // own
+    TouchedId touched;
+  };
+  Array<Member> members;
 };
 
 bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q || p == q.opposite(); }
@@ -30,10 +34,9 @@ bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q ||
 /// Collects the touched faces of one operand.
 class Collector {
  public:
-  /// `named`: the faces in pairs, own numbers in ascending order. `touched_of`: by own face, of this operand.
-  Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named,
-            std::span<TouchedId> touched_of)
-      : body_(operands[operand]), spared_(operands, operand, named), touched_of_(touched_of) {
+  /// `named`: the faces in pairs, own numbers in ascending order.
+  Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named)
+      : body_(operands[operand]), spared_(operands, operand, named), touched_of_(operands[operand].face_count(), none) {
     index(operands, operand, named);
     reserve(named.size());
 
@@ -71,18 +74,18 @@ class Collector {
   /// A face with a vertex that is drawn has that vertex in one of the boxes: the first holds all faces whose loops are
   /// all drawn; what else is drawn is little.
   void index(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named) {
-    Array<std::uint8_t> marked(body_.vertex_count());
+    grid::Numbering drawn(body_.vertex_count());
     Array<Box> boxes(1);
     for (const std::uint32_t f : named) {
       const bool is_whole = f < body_.triangles.size() || !spared_.find(body_.polygon(f));
       if (is_whole) boxes[0].add(face_box(body_, f));
       for_drawn_loops(f, [&](std::span<const std::uint32_t> loop) {
-        for (const std::uint32_t v : loop) marked[v] = 1;
+        for (const std::uint32_t v : loop) drawn.add(v);
         if (!is_whole && loop.size() == 1) add_edge(loop[0], loop[0], boxes);
         if (!is_whole) grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { add_edge(u, v, boxes); });
       });
     }
-    adjacency = std::make_unique<const Adjacency>(body_, std::move(marked), operands.chunks_meeting(operand, boxes));
+    adjacency = std::make_unique<const Adjacency>(body_, std::move(drawn), operands.chunks_meeting(operand, boxes));
   }
   /// Of many edges one box is as good.
   void add_edge(std::uint32_t u, std::uint32_t v, Array<Box>& boxes) const {
@@ -120,9 +123,10 @@ class Collector {
     part.planes.push_back(plane);
   }
   void add_member(std::uint32_t f) {
-    touched_of_[f] = static_cast<std::uint32_t>(part.faces.size() - 1);
+    const TouchedId t = static_cast<std::uint32_t>(part.faces.size() - 1);
+    touched_of_.at(f) = t;
     part.faces.back().box.add(box_of(f));
-    part.members.push_back(f);
+    part.members.push_back({f, t});
   }
   void end_region() {
     part.faces.back().edges_end = static_cast<std::uint32_t>(part.edges.size());
@@ -138,7 +142,7 @@ class Collector {
     add_member(t);
 
     for (std::size_t i = first; i < part.members.size(); ++i) {
-      const std::uint32_t member = part.members[i];
+      const std::uint32_t member = part.members[i].face;
       body_.for_edges(member, [&](std::uint32_t u, std::uint32_t v) {
         const std::uint32_t across = face_across(member, u, v);
         if (!continues(across, u, v, plane))
@@ -218,7 +222,7 @@ class Collector {
 
   const Body& body_;
   const SparedLoops spared_;
-  const std::span<TouchedId> touched_of_;
+  grid::Paged<TouchedId> touched_of_;  // by own face
 };
 
 /// Gives the planes and vertices of a part their names, and adds it.
@@ -256,9 +260,9 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
 
   for (const TouchedPart::Use& u : part.untouched)
     out.untouched.push_back({name(u.from), name(u.to), operand, operands.face(operand, u.face)});
-  for (const std::uint32_t f : part.members) {
+  for (const auto& [f, t] : part.members) {
     const FaceId member = operands.face(operand, f);
-    out.touched_of[member] = out.touched_of[member].value + first_face.value;
+    out.touched_of.at(member) = t.value + first_face.value;
     out.members.push_back(member);
   }
 }
@@ -296,7 +300,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   const std::size_t n = operands.bodies.size();
   Touched out;
   out.cover_once = operands.are_clean;
-  out.touched_of.assign(operands.face_count(), none);
+  out.touched_of = grid::PagedById<FaceId, TouchedId>(operands.face_count(), none);
   out.adjacency.resize(n);
   names.operands.resize(n);
 
@@ -304,9 +308,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
     const OperandId o = static_cast<std::uint32_t>(i);
     if (named[o].empty()) return;
-    const std::span<TouchedId> own =
-        std::span(out.touched_of).subspan(operands.base[o].value, operands[o].face_count());
-    Collector collector(operands, o, named[o], own);
+    Collector collector(operands, o, named[o]);
     parts[o] = std::move(collector.part);
     out.adjacency[o] = std::move(collector.adjacency);
   });

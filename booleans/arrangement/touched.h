@@ -53,8 +53,8 @@ struct Touched {
   /// that has some is on its outer loop.
   Array<std::uint32_t> spared;
   Array<UntouchedUse> untouched;
-  ById<FaceId, TouchedId> touched_of;  // none where a face is untouched
-  Array<FaceId> members;               // the faces that are touched
+  grid::PagedById<FaceId, TouchedId> touched_of;  // none where a face is untouched
+  Array<FaceId> members;                          // the faces that are touched
   /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
   ById<OperandId, std::unique_ptr<const Adjacency>> adjacency;
   /// Of faces with many edges (Thresholds::large_face), items are indices into edges; null for the others.

@@ -83,11 +83,15 @@ void keep_host(Making& m) {
   if (host.grid_points.size() + new_points > host.derived_base()) move_derived(m.body, new_points);
 
   Array<BoxTree::Item> listed;
-  for (const std::uint32_t v : m.a.names.operands[m.host].listed) listed.emplace_back().box.add(host.approximation(v));
+  Box around;
+  for (const std::uint32_t v : m.a.names.operands[m.host].listed) {
+    listed.emplace_back().box.add(host.approximation(v));
+    around.add(host.approximation(v));
+  }
   const BoxTree table(listed);
   for (const OperandChunk& c : operands.chunks_of(m.host)) {
     bool near = !c.far;
-    if (c.far) table.meeting(c.box, [&](std::uint32_t) { near = true; });
+    if (c.far && c.box.meets(around)) table.meeting(c.box, [&](std::uint32_t) { near = true; });
     if (near)
       keep_near_chunk(m, c);
     else

@@ -5,25 +5,25 @@
 
 namespace quoin::booleans {
 
-Adjacency::Adjacency(const Body& body) : body_(body) {
+Adjacency::Adjacency(const Body& body) : body_(body), is_complete_(true) {
   edges_.reserve(2 * body.polygons.corners.size());
   const Chunk all{0, static_cast<std::uint32_t>(body.face_count()), {}};
   index(body.is_packed ? std::span(&all, 1) : std::span<const Chunk>(body.chunks));
 }
 
-Adjacency::Adjacency(const Body& body, Array<std::uint8_t> marked, std::span<const Chunk> where)
-    : body_(body), marked_(std::move(marked)) {
+Adjacency::Adjacency(const Body& body, grid::Numbering known, std::span<const Chunk> where)
+    : body_(body), is_complete_(false), known_(std::move(known)) {
   index(where);
 }
 
 void Adjacency::index(std::span<const Chunk> where) {
   // Triangles, by counting.
   const auto triangles = static_cast<std::uint32_t>(body_.triangles.size());
-  corners_.assign(body_.grid_points.size(), [&](auto&& visit) {
+  corners_.assign(is_complete_ ? body_.grid_points.size() : known_.size(), [&](auto&& visit) {
     for (const Chunk& c : where)
       for (std::uint32_t t = c.begin; t < std::min(c.end, triangles); ++t)
         for (std::uint32_t k = 0; k < 3; ++k)
-          if (const std::uint32_t v = body_.triangles[t][k]; knows(v)) visit(v, 3 * t + k);
+          if (const std::uint32_t v = body_.triangles[t][k]; knows(v)) visit(bucket(v), 3 * t + k);
   });
 
   // Edges of polygons, by sorting.

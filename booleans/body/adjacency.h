@@ -8,6 +8,7 @@
 
 #include "booleans/body/body.h"
 #include "grid/lists/buckets.h"
+#include "grid/lists/paged.h"
 
 namespace quoin::booleans {
 
@@ -16,11 +17,11 @@ class Adjacency {
  public:
   /// Of all vertices.
   explicit Adjacency(const Body& body);
-  /// Of the marked vertices only, and of their edges. `where` holds all faces that have one.
-  Adjacency(const Body& body, Array<std::uint8_t> marked, std::span<const Chunk> where);
+  /// Of those vertices only that have numbers, and of their edges. `where` holds all faces that have one.
+  Adjacency(const Body& body, grid::Numbering known, std::span<const Chunk> where);
 
-  bool is_complete() const { return marked_.empty(); }
-  bool knows(std::uint32_t v) const { return is_complete() || marked_[v]; }
+  bool is_complete() const { return is_complete_; }
+  bool knows(std::uint32_t v) const { return is_complete_ || known_[v] != none; }
 
   /// visit(face, forward) for every face with the edge {u, v}, one end of which is known; forward: the face runs from u
   /// to v.
@@ -48,11 +49,13 @@ class Adjacency {
     bool forward;
   };
 
-  std::size_t triangle_count(std::uint32_t u) const { return body_.is_grid(u) ? corners_[u].size() : 0; }
+  /// The bucket of a known vertex.
+  std::uint32_t bucket(std::uint32_t v) const { return is_complete_ ? v : known_[v]; }
+  std::size_t triangle_count(std::uint32_t u) const { return body_.is_grid(u) ? corners_[bucket(u)].size() : 0; }
   template <class Visit>
   void for_triangles(std::uint32_t u, Visit&& visit) const {
     if (!body_.is_grid(u)) return;
-    for (const std::uint32_t c : corners_[u]) visit(c / 3, c % 3);
+    for (const std::uint32_t c : corners_[bucket(u)]) visit(c / 3, c % 3);
   }
   template <class Visit>
   void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
@@ -62,9 +65,10 @@ class Adjacency {
   }
 
   const Body& body_;
-  Array<std::uint8_t> marked_;  // empty: all
-  grid::Buckets<> corners_;     // of triangles (3 t + k), by vertex
-  Array<PolygonEdge> edges_;    // both directions, sorted
+  const bool is_complete_;
+  grid::Numbering known_;     // of an incomplete one
+  grid::Buckets<> corners_;   // of triangles (3 t + k), by bucket
+  Array<PolygonEdge> edges_;  // both directions, sorted
 };
 
 }  // namespace quoin::booleans

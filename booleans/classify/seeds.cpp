@@ -58,7 +58,7 @@ class Extremes {
       for (const VertexId v : {u.low, u.high}) offer(open.of(u.node), v, a.names.vertices.approximation(v));
 
     for (const OperandChunk& c : a.operands.chunks) {
-      if (c.box.low[0] > farthest()) continue;
+      if (is_placed(c) || c.box.low[0] > farthest()) continue;
       for_untouched(a, c, [&](const Body& body, std::uint32_t face, NodeId node) {
         for (const std::uint32_t v : body.corners_of(face)) {
           const auto at = body.approximation(v);
@@ -70,6 +70,11 @@ class Extremes {
   ById<ComponentId, Extreme> take() { return std::move(best_); }
 
  private:
+  /// Far chunks belong to a patch that has its place.
+  bool is_placed(const OperandChunk& c) const {
+    const NodeId far = open_.a.patches().far[c.operand];
+    return c.far && far != none && open_.is_placed[open_.of(far)];
+  }
   void offer(ComponentId component, AnyVertex v, const std::array<double, 3>& at) {
     Extreme& best = best_[component];
     if (open_.is_placed[component]) return;
@@ -164,18 +169,18 @@ class CornerCollector {
   }
 
   /// Per operand and own vertex: is it some component's extreme vertex?
-  ById<OperandId, std::vector<std::uint8_t>> wanted_vertices() const {
+  ById<OperandId, grid::Paged<std::uint8_t>> wanted_vertices() const {
     const Arrangement& a = open_.a;
-    ById<OperandId, std::vector<std::uint8_t>> is_wanted(a.operands.bodies.size());
+    ById<OperandId, grid::Paged<std::uint8_t>> is_wanted(a.operands.bodies.size());
     for (const OperandId o : a.operands.ids()) {
-      is_wanted[o].resize(a.operands[o].vertex_count());
+      is_wanted[o] = grid::Paged<std::uint8_t>(a.operands[o].vertex_count());
       const OperandNames& names = a.names.operands[o];
       for (const std::uint32_t v : names.listed)
-        if (wanted_.contains(names.name_of[v])) is_wanted[o][v] = 1;
+        if (wanted_.contains(names.name_of[v])) is_wanted[o].at(v) = 1;
     }
     for (const ComponentId c : open_.list)
       if (const AnyVertex v = extremes_[c].vertex; !v.is_nothing() && !v.is_named())
-        is_wanted[v.operand()][v.own()] = 1;
+        is_wanted[v.operand()].at(v.own()) = 1;
     return is_wanted;
   }
 

@@ -82,27 +82,27 @@ bool edge_counts(const exact::Plane& plane, const exact::Point& a, const exact::
 }  // namespace
 
 void Targets::prepare(std::span<const std::uint32_t> targets) {
-  ById<OperandId, Array<std::uint8_t>> marked(a_.operands.bodies.size());
-  ById<OperandId, Box> around(marked.size());
-  const auto mark = [&](OperandId operand, std::span<const std::uint32_t> corners, const Box& box) {
-    auto& marks = marked[operand];
-    marks.resize(a_.operands[operand].vertex_count());
-    for (const std::uint32_t v : corners) marks[v] = 1;
+  ById<OperandId, grid::Numbering> corners(a_.operands.bodies.size());
+  ById<OperandId, Box> around(corners.size());
+  const auto add = [&](OperandId operand, std::span<const std::uint32_t> loop, const Box& box) {
+    auto& own = corners[operand];
+    if (own.size() == 0) own = grid::Numbering(a_.operands[operand].vertex_count());
+    for (const std::uint32_t v : loop) own.add(v);
     around[operand].add(box);
   };
   for (const std::uint32_t t : targets) {
     if (targets_[t].facet != none) {
-      for_spared_loops(targets_[t].facet, [&](OperandId o, auto loop) { mark(o, loop, boxes_[t]); });
+      for_spared_loops(targets_[t].facet, [&](OperandId o, auto loop) { add(o, loop, boxes_[t]); });
       continue;
     }
     const auto [operand, face] = a_.operands.own(targets_[t].face);
     const Body& body = a_.operands[operand];
-    if (face >= body.triangles.size()) mark(operand, body.corners_of(face), boxes_[t]);
+    if (face >= body.triangles.size()) add(operand, body.corners_of(face), boxes_[t]);
   }
 
   for (const OperandId o : a_.operands.ids())
-    if (!marked[o].empty())
-      adjacency_[o] = std::make_unique<Adjacency>(a_.operands[o], std::move(marked[o]),
+    if (corners[o].size() > 0)
+      adjacency_[o] = std::make_unique<Adjacency>(a_.operands[o], std::move(corners[o]),
                                                   a_.operands.chunks_meeting(o, {&around[o], 1}));
 }
 

@@ -1,7 +1,5 @@
 #include "booleans/surface/rounded.h"
 
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -115,23 +113,26 @@ std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, c
 
 RoundingEffects rounding_effects(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice,
                                  Floats floats, const std::vector<double>& points) {
-  using Range = tbb::blocked_range<std::size_t>;
-  return tbb::parallel_reduce(
-      Range(first_changed(body, mesh, lattice, floats), mesh.triangle_count(), 1024), RoundingEffects{},
-      [&](const Range& range, RoundingEffects sum) {
-        for (std::size_t t = range.begin(); t < range.end(); ++t) {
-          std::array<Corner, 3> c;
-          for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.corners[3 * t + i]} + k];
-          const Effect found = effect(c, body.sign_plane(mesh.face[t]).n);
-          sum.flipped += found == Effect::flipped;
-          sum.collapsed += found == Effect::collapsed;
-        }
-        return sum;
-      },
-      [](const RoundingEffects& a, const RoundingEffects& b) {
-        return RoundingEffects{a.flipped + b.flipped, a.collapsed + b.collapsed};
-      });
+  const std::size_t first = first_changed(body, mesh, lattice, floats), count = mesh.triangle_count() - first;
+  constexpr std::size_t length = 1024;
+  std::vector<RoundingEffects> parts(count / length + 1);
+  grid::in_stretches(count, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    for (std::size_t t = first + begin; t < first + end; ++t) {
+      std::array<Corner, 3> c;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) c[i][k] = points[3 * std::size_t{mesh.corners[3 * t + i]} + k];
+      const Effect found = effect(c, body.sign_plane(mesh.face[t]).n);
+      parts[s].flipped += found == Effect::flipped;
+      parts[s].collapsed += found == Effect::collapsed;
+    }
+  });
+
+  RoundingEffects sum;
+  for (const RoundingEffects& part : parts) {
+    sum.flipped += part.flipped;
+    sum.collapsed += part.collapsed;
+  }
+  return sum;
 }
 
 }  // namespace quoin::booleans

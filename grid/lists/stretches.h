@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -17,6 +18,23 @@ namespace quoin::grid {
 /// The length of stretches whose results are put together: `length`, less only where tests ask for it.
 inline std::size_t stretch(std::size_t length) { return std::min(length, thresholds().stretch); }
 
+/// While one lives, work of its thread is not handed to others.
+class Serially {
+ public:
+  Serially() : before_(here()) { here() = true; }
+  Serially(const Serially&) = delete;
+  Serially& operator=(const Serially&) = delete;
+  ~Serially() { here() = before_; }
+
+  static bool& here() {
+    static thread_local bool serial = false;
+    return serial;
+  }
+
+ private:
+  const bool before_;
+};
+
 /// visit(stretch, begin, end) for 0 .. count - 1 in stretches of a fixed length, side by side: the stretches, and with
 /// them what is kept by stretch, are the same for any number of threads.
 template <class Visit>
@@ -24,8 +42,11 @@ void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
   if (count == 0) return;
   const std::size_t stretches = (count + length - 1) / length;
   if (stretches == 1) return visit(std::size_t{0}, std::size_t{0}, count);
-  tbb::parallel_for(std::size_t{0}, stretches,
-                    [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); });
+  const auto one = [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); };
+  if (Serially::here())
+    for (std::size_t s = 0; s < stretches; ++s) one(s);
+  else
+    tbb::parallel_for(std::size_t{0}, stretches, one);
 }
 
 /// visit(i) for 0 .. count - 1, side by side where that pays: `work` elements in all.
@@ -40,9 +61,19 @@ void in_tasks(std::size_t count, std::size_t work, Visit&& visit) {
 /// at the same data, of which each takes its own; the result must not depend on how many there are.
 template <class Visit>
 void in_shares(std::size_t count, Visit&& visit) {
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t shares = count < thresholds().small_work ? 1 : std::min<std::size_t>(threads, 8);
+  const bool is_shared = count >= thresholds().small_work && !Serially::here();
+  const auto threads = is_shared ? static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) : 1;
+  const std::size_t shares = std::min<std::size_t>(threads, 8);
   in_stretches(count, count / shares + 1, [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
+}
+
+/// Sorts items of which no two are equal.
+template <class Iterator>
+void sort_side_by_side(Iterator begin, Iterator end) {
+  if (Serially::here())
+    std::sort(begin, end);
+  else
+    tbb::parallel_sort(begin, end);
 }
 
 /// The lists one after the other, as what was kept by stretch is put together.

@@ -67,8 +67,7 @@ class LatticeRegions {
       if (labels(at[0]) == labels(at[1])) together_.unite(at[0], at[1]);
 
     for (const NodeId n : Ids<NodeId>(a.sheets.facet_count())) see_facet(a, n);
-    for (const FaceId f : Ids<FaceId>(a.operands.face_count()))
-      if (a.patches().of[f] != none) see_untouched(a, f);
+    a.for_untouched([&](FaceId f, NodeId) { see_untouched(a, f); });
   }
 
   /// The regions that a side sees: of a facet one, of a patch perhaps many.

@@ -18,9 +18,10 @@ std::vector<std::string> text_of(const Operands& operands, const Patches& patche
   for (std::uint32_t i = 0; i < text.size(); ++i)
     text[i] = "patch " + std::to_string(patches.first.value + i) + " of operand " +
               std::to_string(patches.operand_of[i].value) + ":";
-  for (const FaceId f : Ids<FaceId>(operands.face_count()))
-    if (const NodeId n = patches.of[f]; n != none)
-      text[n.value - patches.first.value] += " " + std::to_string(operands.own(f).face);
+  for (const OperandChunk& c : operands.chunks)
+    for (const FaceId f : Ids<FaceId>(c.begin, c.end))
+      if (const NodeId n = patches.of[f]; n != none)
+        text[n.value - patches.first.value] += " " + std::to_string(operands.own(f).face);
   for (const OperandId o : operands.ids())
     for (const CrowdedEdge& e : patches.crowded[o])
       text.push_back("crowded " + std::to_string(e.from) + " -> " + std::to_string(e.to) + " of face " +
@@ -104,9 +105,7 @@ void expect_glued(const Arrangement& a) {
 /// Of what is near a patch each other operand has all or nothing; near a far one, as at infinity.
 void expect_labels(const Arrangement& a) {
   std::map<std::pair<NodeId, OperandId>, int> inside;
-  for (const FaceId f : Ids<FaceId>(a.operands.face_count())) {
-    const NodeId n = a.patches().of[f];
-    if (n == none) continue;
+  a.for_untouched([&](FaceId f, NodeId n) {
     const OwnFace own = a.operands.own(f);
     const Body& body = a.operands[own.operand];
     const exact::Point p = body.point(body.corners_of(own.face)[0]);
@@ -120,7 +119,7 @@ void expect_labels(const Arrangement& a) {
         ASSERT_EQ(here, a.operands[o].full_at_infinity ? 1 : -1);
       }
     }
-  }
+  });
 }
 
 // Chunks of one face, so that some are far; shells of one operand, within and beside the others.

@@ -13,7 +13,7 @@ namespace {
 
 using Uses = std::multiset<std::tuple<std::uint32_t, std::uint32_t, bool>>;
 
-// Against a look at all faces; of the marked vertices only where some are marked.
+// Against a look at all faces; of some vertices only where these have numbers.
 TEST(Adjacency, IsWhatTheFacesSay) {
   for (std::uint64_t number = 0; number < case_count(60); ++number) {
     SCOPED_TRACE(case_name(number));
@@ -31,10 +31,11 @@ TEST(Adjacency, IsWhatTheFacesSay) {
         at_vertex[v].insert({f, u, false});
       });
 
-    Array<std::uint8_t> marked(body.vertex_count());
-    for (auto& m : marked) m = random.one_in(2) ? 1 : 0;
+    grid::Numbering some_vertices(body.vertex_count());
+    for (std::uint32_t v = 0; v < body.vertex_count(); ++v)
+      if (random.one_in(2)) some_vertices.add(v);
     const Chunk all_faces{0, static_cast<std::uint32_t>(body.face_count()), {}};
-    const Adjacency all(body), some(body, marked, std::span(&all_faces, 1));
+    const Adjacency all(body), some(body, some_vertices, std::span(&all_faces, 1));
     for (const Adjacency* adjacency : {&all, &some})
       for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
         if (!adjacency->knows(v)) continue;

@@ -31,8 +31,7 @@ Components components_of(const Arrangement& a) {
 ById<ComponentId, std::uint8_t> empty_components(const Arrangement& a, const Components& components) {
   ById<ComponentId, std::uint8_t> is_empty(components.count, 1);
   for (const NodeId n : Ids<NodeId>(a.sheets.facet_count())) is_empty[components.of[n]] = 0;
-  for (const NodeId n : a.patches().of)
-    if (n != none) is_empty[components.of[n]] = 0;
+  a.for_untouched([&](FaceId, NodeId n) { is_empty[components.of[n]] = 0; });
   return is_empty;
 }
 /// One for each component that has faces, in their order, far patches or not.

@@ -66,15 +66,14 @@ std::map<std::pair<VertexId, VertexId>, int> kept_at_edges(const Arrangement& a,
       if (sheet.facet[h] != none && selection.kept[a.sheets.node(s, sheet.facet[h])] != 0)
         ++counts[std::minmax(sheet.origin(h), sheet.target(h))];
   }
-  for (const FaceId f : Ids<FaceId>(a.operands.face_count())) {
-    const NodeId n = a.patches().of[f];
-    if (n == none || selection.kept[n] == 0) continue;
+  a.for_untouched([&](FaceId f, NodeId n) {
+    if (selection.kept[n] == 0) return;
     const auto [operand, face] = a.operands.own(f);
     const OperandNames& names = a.names.operands[operand];
     a.operands[operand].for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
       if (names.of(u) != none && names.of(v) != none) ++counts[std::minmax(names.of(u), names.of(v))];
     });
-  }
+  });
   return counts;
 }
 
