@@ -19,18 +19,24 @@ void add_surface(const SurfaceCounts& counts, Info& info) {
   info.manifold = counts.manifold;
 }
 
-void add_measures(const Solid& solid, Info& info) {
+void add_measures(const Solid& solid, Volume wanted, Info& info) {
   info.area_approx = solid.area();
   if (!info.bounded) return;
   const Rational& step = Access::lattice(solid).step;
-  const Rational volume = booleans::volume(Access::body(solid)) * step * step * step;
+  const Rational cubic_step = step * step * step;
+  if (wanted == Volume::rounded) {
+    info.volume_approx = booleans::rounded_volume(Access::body(solid), cubic_step);
+    return;
+  }
+
+  const Rational volume = booleans::volume(Access::body(solid)) * cubic_step;
   info.volume = exact::to_string(volume);
   info.volume_approx = exact::to_double(volume);
 }
 
 }  // namespace
 
-Info Solid::info(const Options& options, const SurfaceCounts* surface) const {
+Info Solid::info(const Options& options, const SurfaceCounts* surface, Volume volume) const {
   const auto report = [&](double done) {
     if (options.progress) options.progress(done);
   };
@@ -51,7 +57,7 @@ Info Solid::info(const Options& options, const SurfaceCounts* surface) const {
       report(0.7);
     }
 
-    add_measures(*this, info);
+    add_measures(*this, volume, info);
     report(1);
     return info;
   });

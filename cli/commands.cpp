@@ -78,9 +78,9 @@ auto polled_stage(Session& session, Stage stage, Work&& work) {
 }
 
 /// `surface`: what an export of the solid counted; nullptr without one.
-Result<Info> measured_info(const Solid& solid, const SurfaceCounts* surface, Session& session) {
+Result<Info> measured_info(const Solid& solid, const SurfaceCounts* surface, Volume volume, Session& session) {
   const PolledStage guard;
-  Result<Info> info = solid.info(session.options("measuring"), surface);
+  Result<Info> info = solid.info(session.options("measuring"), surface, volume);
   session.progress.clear();
   return unless_cancelled(std::move(info));
 }
@@ -356,7 +356,7 @@ Result<void> run_info(Session& session) {
   const auto operands = load(session);
   if (!operands) return operands.error();
   const Solid& solid = operands.value().solids[0];
-  const auto info = measured_info(solid, nullptr, session);
+  const auto info = measured_info(solid, nullptr, Volume::exact, session);
   if (!info) return info.error();
   Json object = info_json(solid, info.value());
   object["max_snap"] = operands.value().max_snap();
@@ -402,7 +402,8 @@ Result<void> run_writing(Session& session) {
   for (auto& output : outputs) {
     if (const auto formatted = format_output(session, output); !formatted) return formatted.error();
     if (!says_results(a)) continue;
-    const auto info = measured_info(output.solid, output.surface ? &*output.surface : nullptr, session);
+    const SurfaceCounts* const surface = output.surface ? &*output.surface : nullptr;
+    const auto info = measured_info(output.solid, surface, a.json ? Volume::exact : Volume::rounded, session);
     if (!info) return info.error();
     output.info = info.value();
   }

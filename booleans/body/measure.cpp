@@ -58,14 +58,12 @@ exact::int128 six_volumes(const Body& body) {
   return sum;
 }
 
-}  // namespace
-
-Rational volume(const Body& body) {
-  if (!body.is_packed) return volume(packed(body));
-
-  // A polygon with plane n . x + d = 0 and area A n / |n| spans the cone of volume -d A / (3 |n|) from the origin. Its
-  // projection along axis k has the area A_k = A n_k / |n|, so the cone is -d A_k / (3 n_k): no triangulation needed.
-  Sum sum;
+/// visit(fraction) for the volumes that the edges of polygons contribute, unreduced.
+///
+/// A polygon with plane n . x + d = 0 and area A n / |n| spans the cone of volume -d A / (3 |n|) from the origin. Its
+/// projection along axis k has the area A_k = A n_k / |n|, so the cone is -d A_k / (3 n_k): no triangulation needed.
+template <class Visit>
+void for_fractions(const Body& body, Visit&& visit) {
   for (std::size_t p = 0; p < body.polygon_count(); ++p) {
     const exact::Plane& plane = body.planes[p];
     if (plane.d == 0) continue;
@@ -77,10 +75,38 @@ Rational volume(const Body& body) {
       const Integer cross = exact::to_integer(a.x[u] * b.x[v] - b.x[u] * a.x[v]);
       Fraction f{factor * cross, divisor * exact::to_integer(a.w) * exact::to_integer(b.w)};
       if (f.d < 0) f = {-f.n, -f.d};
-      sum.add(std::move(f));
+      visit(std::move(f));
     });
   }
-  return sum.total() + Rational(exact::to_integer(six_volumes(body)), Integer(6));
+}
+
+/// The volumes of raw triangles' cones, together.
+Rational raw_volume(const Body& body) { return Rational(exact::to_integer(six_volumes(body)), Integer(6)); }
+
+}  // namespace
+
+Rational volume(const Body& body) {
+  if (!body.is_packed) return volume(packed(body));
+  Sum sum;
+  for_fractions(body, [&](Fraction&& f) { sum.add(std::move(f)); });
+  return sum.total() + raw_volume(body);
+}
+
+double rounded_volume(const Body& body, const Rational& scale) {
+  if (!body.is_packed) return rounded_volume(packed(body), scale);
+
+  // Each fraction is cut to a multiple of 2^-bits, towards 0: the sum is off by less than one unit a fraction.
+  constexpr unsigned bits = 192;
+  Integer sum = 0, units = 0;
+  for_fractions(body, [&](Fraction&& f) {
+    sum += (f.n << bits) / f.d;
+    ++units;
+  });
+  const Rational unit = Rational(1) / (Integer(1) << bits), middle = raw_volume(body) + sum * unit;
+
+  const double low = exact::to_double((middle - units * unit) * scale);
+  if (low == exact::to_double((middle + units * unit) * scale)) return low;
+  return exact::to_double(volume(body) * scale);
 }
 
 double approximate_area(const Body& body) {

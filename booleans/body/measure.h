@@ -15,6 +15,10 @@ namespace quoin::booleans {
 /// volume of the complement.
 exact::Rational volume(const Body& body);
 
+/// That volume times a positive scale, as a double: correctly rounded (ties to even). Long sums of fractions are not
+/// needed for that, only where the volume lies so near the middle of two doubles, or 0, that nothing else tells.
+double rounded_volume(const Body& body, const exact::Rational& scale);
+
 /// The area, squared grid steps, in doubles.
 double approximate_area(const Body& body);
 

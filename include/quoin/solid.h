@@ -42,12 +42,17 @@ struct Info {
   std::uint64_t shells = 0;
   std::int64_t genus = 0;
   bool closed = true, manifold = true, bounded = true;
-  /// Exact, "p/q" in cubic model units; empty when unbounded.
+  /// Exact, "p/q" in cubic model units; empty when unbounded, or not asked for.
   std::string volume;
-  double volume_approx = 0, area_approx = 0;
+  double volume_approx = 0;  // correctly rounded
+  double area_approx = 0;
   /// Of the boundary; nothing when there is none.
   std::optional<Box> box = {};
 };
+
+/// What `Info` says of the volume: everything, or what rounding leaves of it. The exact volume of a solid of 100,000
+/// faces may have millions of digits and take seconds.
+enum class Volume { exact, rounded };
 
 /// Where a point lies.
 enum class Location { inside, boundary, outside };
@@ -92,7 +97,7 @@ class QUOIN_API Solid {
   bool is_bounded() const;
   /// Everything that can be counted or measured at once. `surface`: what an export of this very solid counted; given
   /// that, nothing is triangulated.
-  Info info(const Options& options = {}, const SurfaceCounts* surface = nullptr) const;
+  Info info(const Options& options = {}, const SurfaceCounts* surface = nullptr, Volume volume = Volume::exact) const;
   /// Those of `info`, each by itself: these need no triangulation.
   std::optional<Box> box() const;
   Counts counts() const;

@@ -392,6 +392,9 @@ TEST(Solid, InfoInModelUnits) {
   const Info info = a.info();
   EXPECT_EQ(info.volume, "27/1000");
   EXPECT_EQ(info.volume_approx, .027);
+  const Info rounded = a.info({}, nullptr, Volume::rounded);
+  EXPECT_EQ(rounded.volume, "");
+  EXPECT_EQ(rounded.volume_approx, .027);
   EXPECT_EQ(info.triangles, 12u);
   EXPECT_TRUE(info.manifold);
   ASSERT_TRUE(info.box);

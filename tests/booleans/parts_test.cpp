@@ -82,6 +82,67 @@ TEST(Parts, ComplementsCountByParity) {
     }
 }
 
+/// A node of small subtrees, all rules and negations at random; some operands stand in several places.
+Expression tree_of_parts(Random& random, std::uint32_t operands) {
+  Expression e;
+  e.add({random_rule(random), random.one_in(2), 0, none});
+  for (std::uint32_t i = 0; i < operands;) {
+    const std::uint32_t part = e.add({random_rule(random), random.one_in(2), 0, 0});
+    for (std::uint64_t n = 1 + random.below(3); n > 0 && i < operands; --n, ++i)
+      e.add({Rule::operand, random.one_in(2), random.one_in(12) ? 0 : i, part});
+    if (random.one_in(3)) e.add({Rule::operand, random.one_in(2), static_cast<std::uint32_t>(random.below(i)), 0});
+  }
+  return e;
+}
+
+// Subtrees that share nothing with the rest are evaluated first, whatever they are at infinity.
+TEST(Parts, SmallSubtreesAreEvaluatedFirst) {
+  std::size_t combined = 0;
+  for (std::uint64_t i = 0; i < case_count(20); ++i) {
+    SCOPED_TRACE(case_name(i));
+    Random random(0x5B7, i);
+    Solids solids(random, Family::tiny);
+    std::vector<Body> operands;
+    for (int n = 0; n < 24; ++n) operands.push_back(random.one_in(4) ? complement(solids.next()) : solids.next());
+    std::vector<const Body*> pointers;
+    for (const Body& b : operands) pointers.push_back(&b);
+    const Expression e = tree_of_parts(random, static_cast<std::uint32_t>(operands.size()));
+    booleans::Run run;
+    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+    ASSERT_TRUE(same(sound(evaluate(pointers, e)), sound(evaluate_in_parts(pointers, e, run))));
+  }
+  if (usual_thresholds()) {
+    EXPECT_GT(combined, case_count(20) / 2);
+  }
+}
+
+// A hundred boxes with a hole each are so many operations, and then one; a shared drill makes it one arrangement.
+TEST(Parts, BoxesWithAHole) {
+  for (const bool is_shared : {false, true}) {
+    std::vector<Body> bodies;
+    Expression e;
+    e.add({Rule::any, false, 0, none});
+    if (is_shared) bodies.push_back(box({-9, 1, 1}, {999, 2, 2}));
+    for (std::int64_t i = 0; i < 100; ++i) {
+      const std::uint32_t part = e.add({Rule::all, false, 0, 0});
+      bodies.push_back(box({4 * i, 0, 0}, {4 * i + 3, 3, 3}));
+      e.add({Rule::operand, false, static_cast<std::uint32_t>(bodies.size() - 1), part});
+      if (!is_shared) bodies.push_back(box({4 * i - 1, 1, 1}, {4 * i + 4, 2, 2}));
+      e.add({Rule::operand, true, is_shared ? 0 : static_cast<std::uint32_t>(bodies.size() - 1), part});
+    }
+    std::vector<const Body*> pointers;
+    for (const Body& b : bodies) pointers.push_back(&b);
+    std::size_t combined = 0;
+    booleans::Run run;
+    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+    const Body result = sound(evaluate_in_parts(pointers, e, run));
+    EXPECT_EQ(body_of(canonical(result)).face_count(), 1000u);
+    if (usual_thresholds()) {
+      EXPECT_EQ(combined, is_shared ? 0u : 1u);
+    }
+  }
+}
+
 TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   std::vector<Body> boxes;
   for (std::int64_t i = 0; i < 100; ++i) boxes.push_back(box({3 * i, 0, 0}, {3 * i + 2, 2, 2}));

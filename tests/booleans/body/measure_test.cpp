@@ -49,5 +49,31 @@ TEST(Measure, OfACube) {
   EXPECT_EQ(volume(half_space_body({{1, 1, 1}, -1}, {{0, 0, 0}}, {{1, 1, 1}})), Rational(1, 6));
 }
 
+// Against the exact volume; also of complements, whose volume is negative.
+TEST(Measure, RoundedVolume) {
+  for (const Family family : families)
+    for (std::uint64_t number = 0; number < case_count(12); ++number) {
+      SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
+      Random random(0x40E, number);
+      Solids solids(random, family);
+      Body body = odd(solids.next(), solids.next());
+      if (random.one_in(2)) body = complement(body);
+      if (random.one_in(2)) body = body_of(canonical(body));
+      const exact::Rational scale(1 + static_cast<std::int64_t>(random.below(1000)),
+                                  1 + static_cast<std::int64_t>(random.below(1000)));
+      ASSERT_EQ(rounded_volume(body, scale), exact::to_double(volume(body) * scale));
+    }
+}
+
+// An odd number above 2^53 lies in the middle of two doubles; the nearer one is not seen from near the number.
+TEST(Measure, RoundedVolumeInTheMiddleOfTwoDoubles) {
+  for (const std::int64_t width : {131073, 131075}) {
+    const Body cuboid = body_of(canonical(box({0, 0, 0}, {262145, 262145, width})));
+    ASSERT_GT(cuboid.polygon_count(), 0u);
+    EXPECT_EQ(rounded_volume(cuboid, 1), exact::to_double(volume(cuboid)));
+  }
+  EXPECT_EQ(rounded_volume(Body(), 1), 0.0);
+}
+
 }  // namespace
 }  // namespace quoin::booleans::testing
