@@ -52,6 +52,7 @@ class Rounder {
  public:
   /// The lattice must outlive it.
   explicit Rounder(const Lattice& lattice);
+  explicit Rounder(Lattice&&) = delete;
   double to_double(const exact::Point& point, int k) const;
   double to_double(std::int32_t grid_coordinate, int k) const;
   float to_float(const exact::Point& point, int k) const;

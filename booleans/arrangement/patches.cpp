@@ -78,13 +78,14 @@ void glue_over_vertices(PatchPart& part) {
     bool meets = false;
     if (c.far) around.meeting(c.box, [&](std::uint32_t) { meets = true; });
     if (!meets) continue;
-    for (const FaceId f : Ids<FaceId>(c.begin, c.end))
-      for (const std::uint32_t v : body.corners_of(part.operands.own(part.operand, f))) {
+    part.for_untouched(c, [&](std::uint32_t f) {
+      for (const std::uint32_t v : body.corners_of(f)) {
         const std::uint32_t n = near[v];
         if (n == none) continue;
         if (anchor == none) anchor = n;
         parts.unite(anchor, n);
       }
+    });
   }
 
   if (part.has_far) ++part.count;
@@ -158,6 +159,8 @@ Patches glue(const Operands& operands, const Touched& touched, const Sheets& she
       glue_over_edges(parts[i]);
   });
   for (const PatchPart& part : parts) add_part(operands, part, out);
+  for (const FaceId f : touched.members)  // they may reach into far chunks
+    if (out.of[f] != none) out.of.at(f) = none;
   return out;
 }
 

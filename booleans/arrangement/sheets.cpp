@@ -2,6 +2,8 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <optional>
+
 #include "booleans/arrangement/outline.h"
 #include "booleans/arrangement/subdivision.h"
 #include "grid/lists/buckets.h"
@@ -158,17 +160,29 @@ struct Desk {
 /// One for each thread. Those of small operations are kept for the next operation of the thread.
 class Desks {
  public:
-  explicit Desks(const Names& names) : are_kept_(names.vertices.size() < few_vertices) {}
+  explicit Desks(const Names& names) {
+    if (names.vertices.size() >= few_vertices || Kept::is_over()) own_.emplace();
+  }
 
   Desk& local() {
-    static thread_local Desk kept;
-    return are_kept_ ? kept : own_.local();
+    static thread_local Kept kept;
+    return own_ ? own_->local() : kept.desk;
   }
 
  private:
   static constexpr std::size_t few_vertices = 4096;
-  bool are_kept_;
-  tbb::enumerable_thread_specific<Desk> own_;
+
+  /// Operations may still come when a thread has ended what it keeps: in destructors of static objects.
+  struct Kept {
+    Desk desk;
+
+    static bool& is_over() {
+      static thread_local bool over = false;
+      return over;
+    }
+    ~Kept() { is_over() = true; }
+  };
+  std::optional<tbb::enumerable_thread_specific<Desk>> own_;
 };
 
 }  // namespace

@@ -171,8 +171,8 @@ class Collector {
     const auto& c = body_.triangles[face];
     for (const std::uint32_t w : c)
       if (w != u && w != v && exact::side(plane, body_.grid_points[w]) != 0) return false;
-    const auto other = exact::plane_through(body_.grid_points[c[0]], body_.grid_points[c[1]], body_.grid_points[c[2]]);
-    return other && *other == plane;
+    const auto& points = body_.grid_points;  // on one plane, so the direction of the normal tells
+    return exact::dot_sign(exact::spanned_plane(points[c[0]], points[c[1]], points[c[2]]), plane) > 0;
   }
 
   void add_polygon(std::uint32_t f) {

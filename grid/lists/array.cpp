@@ -1,5 +1,8 @@
 #include "grid/lists/array.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #ifdef __linux__
@@ -13,6 +16,74 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 
 /// A whole number of large pages.
 std::size_t rounded_up(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
+
+/// Small blocks that a thread has released, for its next ones: an operation on small solids asks for hundreds. Blocks
+/// of a class have the size of its largest; how many are kept is bounded.
+class SmallBlocks {
+ public:
+  static constexpr std::size_t largest = 4096;
+
+  void* take(std::size_t bytes) {
+    const unsigned c = size_class(bytes);
+    if (!first_[c]) return make(bytes);
+    Block* const block = first_[c];
+    first_[c] = block->next;
+    --count_[c];
+    return block;
+  }
+  /// A block of the same size, by itself: any thread may keep it when it is released.
+  static void* make(std::size_t bytes) {
+    const std::size_t size = std::size_t{1} << size_class(bytes);
+    return ::operator new(size);
+  }
+  void give(void* memory, std::size_t bytes) noexcept {
+    const unsigned c = size_class(bytes);
+    if (count_[c] == most) return ::operator delete(memory);
+    first_[c] = new (memory) Block{first_[c]};
+    ++count_[c];
+  }
+  ~SmallBlocks() {
+    is_over() = true;
+    for (Block* block : first_)
+      while (block) {
+        Block* const next = block->next;
+        ::operator delete(block);
+        block = next;
+      }
+  }
+
+  static bool& is_over() {
+    static thread_local bool over = false;
+    return over;
+  }
+  static SmallBlocks& here() {
+    static thread_local SmallBlocks blocks;
+    return blocks;
+  }
+
+ private:
+  struct Block {
+    Block* next;
+  };
+  static constexpr std::uint32_t most = 32;
+
+  static unsigned size_class(std::size_t bytes) {
+    return static_cast<unsigned>(std::bit_width(std::max<std::size_t>(bytes, 32) - 1));
+  }
+
+  std::array<Block*, 13> first_ = {};
+  std::array<std::uint32_t, 13> count_ = {};
+};
+
+/// Does the thread keep small blocks? No longer when it has ended what it keeps: destructors of static objects may
+/// still make lists. And not where a sanitizer is to see each block's end.
+bool keeps_blocks() {
+#ifdef __SANITIZE_ADDRESS__
+  return false;
+#else
+  return !SmallBlocks::is_over();
+#endif
+}
 
 }  // namespace
 
@@ -28,6 +99,7 @@ void prefer_large_pages(void* block, std::size_t bytes) noexcept {
 }
 
 void* allocate(std::size_t bytes) {
+  if (bytes <= SmallBlocks::largest) return keeps_blocks() ? SmallBlocks::here().take(bytes) : SmallBlocks::make(bytes);
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) {
     void* const block = ::operator new (rounded_up(bytes), std::align_val_t{large_page});
@@ -39,6 +111,7 @@ void* allocate(std::size_t bytes) {
 }
 
 void release(void* block, std::size_t bytes) noexcept {
+  if (bytes <= SmallBlocks::largest && keeps_blocks()) return SmallBlocks::here().give(block, bytes);
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) return ::operator delete (block, std::align_val_t{large_page});
 #endif

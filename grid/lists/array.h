@@ -15,7 +15,8 @@ namespace quoin::grid {
 /// Blocks of at least so many bytes are in large pages, if the system has some.
 inline constexpr std::size_t large_block = std::size_t{1} << 20;
 
-/// As operator new and delete; a block is released with the number of bytes that it was asked for.
+/// As operator new and delete; a block is released with the number of bytes that it was asked for. Small blocks are
+/// kept for the next ones of the thread, a few of each size.
 void* allocate(std::size_t bytes);
 void release(void* block, std::size_t bytes) noexcept;
 

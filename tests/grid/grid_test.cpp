@@ -131,17 +131,20 @@ TEST(Rounder, float_is_not_rounded_twice) {
   const exact::Point u = *exact::meet(x, y, z);
   EXPECT_EQ(u.approximation[0], 0x1p29 + 32);
   EXPECT_EQ(static_cast<float>(u.approximation[0]), 0x1p29F);
-  EXPECT_EQ(Rounder(Lattice{}).to_float(u, 0), 0x1p29F + 64);
+  const Lattice lattice;
+  EXPECT_EQ(Rounder(lattice).to_float(u, 0), 0x1p29F + 64);
 }
 
 TEST(Rounder, beyond_float_is_infinite) {
-  const Rounder rounder(lattice_of(power(120)));
+  const Lattice lattice = lattice_of(power(120));
+  const Rounder rounder(lattice);
   EXPECT_EQ(rounder.to_float(1 << 8, 0), std::numeric_limits<float>::infinity());
   EXPECT_EQ(rounder.to_float(255, 0), 255 * 0x1p120F);
 }
 
 TEST(Rounder, decimal_steps_give_the_nearest_decimals) {
-  const Rounder rounder(lattice_of(Rational(1, 1000)));
+  const Lattice lattice = lattice_of(Rational(1, 1000));
+  const Rounder rounder(lattice);
   EXPECT_EQ(rounder.to_double(1, 0), 0.001);
   EXPECT_EQ(rounder.to_double(-123456789, 1), -123456.789);
   EXPECT_EQ(rounder.to_float(100, 2), 0.1F);

@@ -40,7 +40,17 @@ TEST(Sheets, TipOnAFace) {
                                                        }));
 }
 
-// Sheets of one face whose contacts' ends have known places are drawn as if nobody knew.
+/// The edges of facets, whatever their numbers, and as many lines as there are facets.
+std::vector<std::string> edges_of(const std::string& text) {
+  std::vector<std::string> lines = sorted_lines(text);
+  for (std::string& line : lines)
+    if (const std::size_t at = line.find("facet"); at != std::string::npos) line.resize(at);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+// Sheets of one face whose contacts' ends have known places are drawn as if nobody knew: crossing points may get their
+// names in another order.
 TEST(Sheets, KnownPlacesChangeNothing) {
   for_families(0x5EE7, 12, [&](Solids& solids, Random& random) {
     std::vector<Body> bodies{solids.next(), solids.next()};
@@ -51,7 +61,7 @@ TEST(Sheets, KnownPlacesChangeNothing) {
     Contacts contacts = find_contacts(touched, touched_pairs(touched, drawn.pairs), names);
     for (ContactSegment& s : contacts.segments) s.at_a = s.at_b = unknown_place;
     const Sheets sheets = draw_sheets(touched, contacts, names);
-    ASSERT_EQ(dump(drawn.sheets, drawn.names), dump(sheets, names));
+    ASSERT_EQ(edges_of(dump(drawn.sheets, drawn.names)), edges_of(dump(sheets, names)));
   });
 }
 

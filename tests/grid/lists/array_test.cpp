@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <thread>
 
 namespace quoin::grid {
 namespace {
@@ -44,6 +45,29 @@ TEST(Array, AWishForLargePagesChangesNothing) {
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, large_block, block.size()})
     prefer_large_pages(block.data(), bytes);
   EXPECT_EQ(std::accumulate(block.begin(), block.end(), std::uint64_t{0}), 9 * block.size());
+}
+
+// Blocks that are released are used again, by the thread that released them, and have the size that is asked for.
+TEST(Array, SmallBlocksOfAllSizesInAnyOrder) {
+  const auto work = [] {
+    std::vector<Array<std::uint8_t>> lists;
+    for (std::size_t i = 0; i < 3000; ++i) {
+      const std::size_t bytes = i * 7919 % 5000;
+      if (i % 3 == 2) lists.erase(lists.begin() + static_cast<std::ptrdiff_t>(i % lists.size()));
+      lists.emplace_back(bytes, static_cast<std::uint8_t>(bytes));
+    }
+    for (const auto& list : lists)
+      for (const std::uint8_t x : list) ASSERT_EQ(x, static_cast<std::uint8_t>(list.size()));
+  };
+  std::thread other(work);
+  work();
+  other.join();
+
+  Array<std::uint8_t> passed;
+  std::thread([&] { passed.assign(40, 1); }).join();  // made there, released here
+  Array<std::uint8_t>().swap(passed);
+  const Array<std::uint8_t> next(64, 2);
+  EXPECT_EQ(std::accumulate(next.begin(), next.end(), 0), 128);
 }
 
 TEST(Array, TooManyItems) {
