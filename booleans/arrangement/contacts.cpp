@@ -268,7 +268,7 @@ Contacts find_contacts(const Touched& touched, const Array<TouchedPair>& pairs, 
   const Twins twins(touched, pairs);
 
   // Fixed stretches, results in slots, points named in their order: the same ids for any number of threads.
-  const std::size_t length = grid::stretch(512);
+  const std::size_t length = grid::long_stretch(pairs.size(), 512);
   std::deque<Worker> workers;
   for (std::size_t i = 0; i < pairs.size(); i += length) workers.emplace_back(touched, names);
   grid::in_stretches(pairs.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {

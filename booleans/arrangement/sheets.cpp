@@ -194,7 +194,7 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
   ById<SheetId, Sheet> sheets(n);
 
   // Sheets whose segments cross in new points wait until these have names.
-  const std::size_t length = grid::stretch(64);
+  const std::size_t length = grid::long_stretch(n, 64);
   Array<Batch> batches((n + length - 1) / length);
   grid::in_stretches(n, length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Desk& desk = desks.local();

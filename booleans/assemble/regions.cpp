@@ -136,7 +136,7 @@ class Merger {
 }  // namespace
 
 Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selection) {
-  const std::size_t length = grid::stretch(256);
+  const std::size_t length = grid::long_stretch(a.sheets.size(), 256);
   Array<Regions<VertexId>> parts(a.sheets.size() / length + 1);
   grid::in_stretches(a.sheets.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     Merger merger(a, selection);

@@ -175,7 +175,7 @@ struct Pieces {
 
 /// Adds the triangles of polygons, of body vertices for now.
 void add_polygons(const Body& body, const Array<std::uint32_t>& polygons, Triangulated& mesh) {
-  const std::size_t batch = grid::stretch(64);
+  const std::size_t batch = grid::long_stretch(polygons.size(), 64);
   std::vector<Pieces> batches((polygons.size() + batch - 1) / batch);
   grid::in_stretches(polygons.size(), batch, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Triangulator triangulator(body);

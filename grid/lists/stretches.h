@@ -18,6 +18,12 @@ namespace quoin::grid {
 /// The length of stretches whose results are put together: `length`, less only where tests ask for it.
 inline std::size_t stretch(std::size_t length) { return std::min(length, thresholds().stretch); }
 
+/// The same for lists that each stretch keeps: at least `least`, longer where that would make many short lists.
+inline std::size_t long_stretch(std::size_t count, std::size_t least) {
+  constexpr std::size_t most_stretches = 64;
+  return stretch(std::max(least, count / most_stretches + 1));
+}
+
 /// While one lives, work of its thread is not handed to others.
 class Serially {
  public:
