@@ -26,26 +26,24 @@ void add_loop(Face& face, Array<std::uint32_t> loop, bool turned = false) {
 /// The untouched faces of the operands that stay, turned as they stay, from the operands themselves.
 Array<Face> kept_faces(const Made& made, PointNumbers& numbers, bool raw) {
   Array<Face> faces;
-  for (const OperandId o : made.a.operands.ids()) {
-    const Body& body = made.a.operands[o];
-    for (std::uint32_t f = 0; f < body.face_count(); ++f) {
-      const int kept = made.m.kept(made.a.operands.face(o, f));
-      if (kept == 0 || raw != (f < body.triangles.size())) continue;
-      Face& face = faces.emplace_back();
-      Array<std::uint32_t> loop;
-      if (raw) {
-        for (const std::uint32_t v : body.triangles[f]) loop.push_back(numbers.of(body, v));
-        add_loop(face, loop, kept < 0);
-        continue;
-      }
-      add_plane(face, kept < 0 ? body.plane(f).opposite() : body.plane(f));
-      body.polygons.for_loops(body.polygon(f), [&](std::span<const std::uint32_t> corners) {
-        loop.clear();
-        for (const std::uint32_t v : corners) loop.push_back(numbers.of(body, v));
-        add_loop(face, loop, kept < 0);
-      });
+  made.a.for_untouched([&](FaceId id, NodeId) {
+    const auto [operand, f] = made.a.operands.own(id);
+    const Body& body = made.a.operands[operand];
+    const int kept = made.m.kept(id);
+    if (kept == 0 || raw != (f < body.triangles.size())) return;
+    Face& face = faces.emplace_back();
+    Array<std::uint32_t> loop;
+    if (raw) {
+      for (const std::uint32_t v : body.triangles[f]) loop.push_back(numbers.of(body, v));
+      return add_loop(face, loop, kept < 0);
     }
-  }
+    add_plane(face, kept < 0 ? body.plane(f).opposite() : body.plane(f));
+    body.polygons.for_loops(body.polygon(f), [&](std::span<const std::uint32_t> corners) {
+      loop.clear();
+      for (const std::uint32_t v : corners) loop.push_back(numbers.of(body, v));
+      add_loop(face, loop, kept < 0);
+    });
+  });
   std::sort(faces.begin(), faces.end());
   return faces;
 }
