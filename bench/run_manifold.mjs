@@ -35,7 +35,11 @@ let result;
 if (operation === 'union') result = Manifold.union(solids);
 else if (operation === 'intersection') result = Manifold.intersection(solids);
 else if (operation === 'difference') result = Manifold.difference(solids);
-else {
+else if (operation === 'parts') {
+  const parts = [];
+  for (let i = 0; i + 1 < solids.length; i += 2) parts.push(solids[i].subtract(solids[i + 1]));
+  result = Manifold.union(parts);
+} else {
   result = solids[0];
   for (const next of solids.slice(1)) {
     result = operation === 'unions' ? result.add(next) : result.subtract(next);
