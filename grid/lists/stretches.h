@@ -42,7 +42,8 @@ class Serially {
 };
 
 /// visit(stretch, begin, end) for 0 .. count - 1 in stretches of a fixed length, side by side: the stretches, and with
-/// them what is kept by stretch, are the same for any number of threads.
+/// them what is kept by stretch, are the same for any number of threads. A thread that waits for others does nothing
+/// else meanwhile, so what a visit keeps by thread stays its own while it waits for inner stretches.
 template <class Visit>
 void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
   if (count == 0) return;
@@ -52,7 +53,7 @@ void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
   if (Serially::here())
     for (std::size_t s = 0; s < stretches; ++s) one(s);
   else
-    tbb::parallel_for(std::size_t{0}, stretches, one);
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, stretches, one); });
 }
 
 /// visit(i) for 0 .. count - 1, side by side where that pays: `work` elements in all.
