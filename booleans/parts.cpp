@@ -144,21 +144,35 @@ std::vector<std::uint32_t> small_subtrees(const Task& task) {
   return top;
 }
 
+/// By the root of a subtree: does it share an operand with another one, or with a leaf outside of all?
+std::vector<std::uint8_t> sharing_subtrees(const Task& task, const std::vector<std::uint32_t>& top) {
+  const auto& nodes = task.expression.nodes;
+  std::vector<std::uint32_t> user(task.operands.size(), none);  // of an operand: the first subtree, or leaf elsewhere
+  std::vector<std::uint8_t> is_sharing(nodes.size());
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (!task.is_leaf(i)) continue;
+    const std::uint32_t here = top[i] != none ? top[i] : i;
+    std::uint32_t& first = user[nodes[i].operand];
+    if (first == none) first = here;
+    if (first != here) is_sharing[first] = is_sharing[here] = 1;
+  }
+  return is_sharing;
+}
+
+/// Bounded results meet less than their complements do.
+void make_bounded(Part& part) {
+  const bool negated = value_at_infinity(part.task);
+  part.task.expression.nodes[0].negated = negated;
+  part.negated = part.negated != negated;
+}
+
 /// The small subtrees that share no operand with the rest of the expression: what several of them need would be done
 /// several times. Nothing, unless that takes a quarter of all leaves away: so there are few rounds, however deep the
 /// tree.
 std::vector<Part> own_subtrees(const Task& task) {
   const auto& nodes = task.expression.nodes;
   const std::vector<std::uint32_t> top = small_subtrees(task);
-  std::vector<std::uint32_t> user(task.operands.size(), none);  // of an operand: the first subtree, or leaf elsewhere
-  std::vector<std::uint8_t> is_shared(nodes.size());            // by top
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    if (!task.is_leaf(i)) continue;
-    const std::uint32_t here = top[i] != none ? top[i] : i;
-    std::uint32_t& first = user[nodes[i].operand];
-    if (first == none) first = here;
-    if (first != here) is_shared[first] = is_shared[here] = 1;
-  }
+  const std::vector<std::uint8_t> is_sharing = sharing_subtrees(task, top);
 
   std::vector<Part> parts;
   std::vector<std::uint32_t> name(nodes.size());                   // of a node in its part
@@ -167,7 +181,7 @@ std::vector<Part> own_subtrees(const Task& task) {
   std::size_t leaves = 0, covered_leaves = 0;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     leaves += task.is_leaf(i);
-    if (top[i] == none || is_shared[top[i]]) continue;
+    if (top[i] == none || is_sharing[top[i]]) continue;
     Expression::Node node = nodes[i];
     if (top[i] == i) {
       part_of[i] = static_cast<std::uint32_t>(parts.size());
@@ -193,12 +207,7 @@ std::vector<Part> own_subtrees(const Task& task) {
   }
   if (4 * (covered_leaves - parts.size()) < leaves) return {};
 
-  // Bounded results meet less than their complements do.
-  for (Part& part : parts) {
-    const bool negated = value_at_infinity(part.task);
-    part.task.expression.nodes[0].negated = negated;
-    part.negated = part.negated != negated;
-  }
+  for (Part& part : parts) make_bounded(part);
   return parts;
 }
 

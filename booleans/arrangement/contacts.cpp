@@ -185,6 +185,9 @@ class Worker {
   void overlap(const FaceLine& line_f, const FaceLine& line_g) {
     const Array<Stop>&f = on_f_.stops, &g = on_g_.stops;
     const bool is_plain = on_f_.is_plain() && on_g_.is_plain();
+    const auto place = [&](bool at_stop, const Array<Stop>& stops, std::size_t stop) {
+      return !is_plain ? unknown_place : at_stop ? stops[stop].edge : inside_face;
+    };
     bool in_f = on_f_.open, in_g = on_g_.open;
     bool is_open = false;
     std::array<End, 2> open_from;  // on either plane
@@ -196,12 +199,7 @@ class Worker {
       // A vertex of the table is preferred as the name of the point.
       NewVertex v = at_f ? f[i].vertex : g[j].vertex;
       if (at_f && at_g && v.is_own()) v = g[j].vertex;
-      const std::array<End, 2> here{End{v, !is_plain ? unknown_place
-                                           : at_f    ? f[i].edge
-                                                     : inside_face},
-                                    End{v, !is_plain ? unknown_place
-                                           : at_g    ? g[j].edge
-                                                     : inside_face}};
+      const std::array<End, 2> here{End{v, place(at_f, f, i)}, End{v, place(at_g, g, j)}};
 
       const bool is_here = (at_f || in_f) && (at_g || in_g);
       if (at_f) in_f = f[i++].open;

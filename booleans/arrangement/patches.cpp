@@ -49,8 +49,7 @@ struct PatchPart {
 void glue_over_vertices(PatchPart& part) {
   const Body& body = part.body();
   const auto chunks = part.operands.chunks_of(part.operand);
-  Array<BoxTree::Item> boxes;  // of near chunks, or of their vertices if there are few
-  Array<BoxTree::Item> points;
+  Array<BoxTree::Item> boxes, points;  // of near chunks, and of their vertices while these are fewer than all chunks
   grid::Numbering near(body.vertex_count());
   for (const OperandChunk& c : chunks) {
     part.has_far = part.has_far || c.far;

@@ -7,6 +7,7 @@
 #include "booleans/arrangement/outline.h"
 #include "booleans/arrangement/subdivision.h"
 #include "grid/lists/buckets.h"
+#include "grid/lists/kept.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -161,27 +162,13 @@ struct Desk {
 class Desks {
  public:
   explicit Desks(const Names& names) {
-    if (names.vertices.size() >= few_vertices || Kept::is_over()) own_.emplace();
+    if (names.vertices.size() >= few_vertices || !grid::kept_by_thread<Desk>()) own_.emplace();
   }
 
-  Desk& local() {
-    static thread_local Kept kept;
-    return own_ ? own_->local() : kept.desk;
-  }
+  Desk& local() { return own_ ? own_->local() : *grid::kept_by_thread<Desk>(); }
 
  private:
   static constexpr std::size_t few_vertices = 4096;
-
-  /// Operations may still come when a thread has ended what it keeps: in destructors of static objects.
-  struct Kept {
-    Desk desk;
-
-    static bool& is_over() {
-      static thread_local bool over = false;
-      return over;
-    }
-    ~Kept() { is_over() = true; }
-  };
   std::optional<tbb::enumerable_thread_specific<Desk>> own_;
 };
 

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "grid/lists/kept.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -43,22 +45,12 @@ class SmallBlocks {
     ++count_[c];
   }
   ~SmallBlocks() {
-    is_over() = true;
     for (Block* block : first_)
       while (block) {
         Block* const next = block->next;
         ::operator delete(block);
         block = next;
       }
-  }
-
-  static bool& is_over() {
-    static thread_local bool over = false;
-    return over;
-  }
-  static SmallBlocks& here() {
-    static thread_local SmallBlocks blocks;
-    return blocks;
   }
 
  private:
@@ -75,13 +67,12 @@ class SmallBlocks {
   std::array<std::uint32_t, 13> count_ = {};
 };
 
-/// Does the thread keep small blocks? No longer when it has ended what it keeps: destructors of static objects may
-/// still make lists. And not where a sanitizer is to see each block's end.
-bool keeps_blocks() {
+/// Null where a thread keeps none: also where a sanitizer is to see each block's end.
+SmallBlocks* kept_blocks() {
 #ifdef __SANITIZE_ADDRESS__
-  return false;
+  return nullptr;
 #else
-  return !SmallBlocks::is_over();
+  return kept_by_thread<SmallBlocks>();
 #endif
 }
 
@@ -99,7 +90,10 @@ void prefer_large_pages(void* block, std::size_t bytes) noexcept {
 }
 
 void* allocate(std::size_t bytes) {
-  if (bytes <= SmallBlocks::largest) return keeps_blocks() ? SmallBlocks::here().take(bytes) : SmallBlocks::make(bytes);
+  if (bytes <= SmallBlocks::largest) {
+    SmallBlocks* const kept = kept_blocks();
+    return kept ? kept->take(bytes) : SmallBlocks::make(bytes);
+  }
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) {
     void* const block = ::operator new (rounded_up(bytes), std::align_val_t{large_page});
@@ -111,7 +105,8 @@ void* allocate(std::size_t bytes) {
 }
 
 void release(void* block, std::size_t bytes) noexcept {
-  if (bytes <= SmallBlocks::largest && keeps_blocks()) return SmallBlocks::here().give(block, bytes);
+  if (bytes <= SmallBlocks::largest)
+    if (SmallBlocks* const kept = kept_blocks()) return kept->give(block, bytes);
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) return ::operator delete (block, std::align_val_t{large_page});
 #endif

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "tests/booleans/support.h"
+#include "tests/booleans/stages.h"
 
 namespace quoin::booleans::testing {
 namespace {
@@ -23,6 +23,13 @@ Expression random_expression(Random& random, std::uint32_t operands) {
   return e;
 }
 
+/// Counts the rounds in which parts are evaluated.
+booleans::Run counting_parts(std::size_t& rounds) {
+  booleans::Run run;
+  run.stage = [&rounds](const char* name) { rounds += std::string(name) == "parts"; };
+  return run;
+}
+
 class PartsOfFamily : public ::testing::TestWithParam<Family> {};
 
 TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
@@ -34,11 +41,9 @@ TEST_P(PartsOfFamily, GiveTheSameSetAsOneArrangement) {
     Solids solids(random, GetParam());
     std::vector<Body> operands;
     for (std::uint64_t n = 9 + random.below(20); n > 0; --n) operands.push_back(solids.next());
-    std::vector<const Body*> pointers;
-    for (const Body& b : operands) pointers.push_back(&b);
+    const std::vector<const Body*> pointers = Drawn::pointers(operands);
     const Expression e = random_expression(random, static_cast<std::uint32_t>(operands.size()));
-    booleans::Run run;
-    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+    const booleans::Run run = counting_parts(combined);
     const Body whole = sound(evaluate(pointers, e)), parts = sound(evaluate_in_parts(pointers, e, run));
     ASSERT_TRUE(same(whole, parts));
   }
@@ -72,8 +77,7 @@ TEST(Parts, ComplementsCountByParity) {
       std::vector<const Body*> pointers;
       for (std::uint32_t i = 0; i < count; ++i) pointers.push_back(&boxes[i]);
       std::size_t combined = 0;
-      booleans::Run run;
-      run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+      const booleans::Run run = counting_parts(combined);
       const Expression e = Expression::flat(rule, count, 0);
       EXPECT_TRUE(same(sound(evaluate_in_parts(pointers, e, run)), sound(evaluate(pointers, e)))) << count;
       if (usual_thresholds()) {
@@ -104,11 +108,9 @@ TEST(Parts, SmallSubtreesAreEvaluatedFirst) {
     Solids solids(random, Family::tiny);
     std::vector<Body> operands;
     for (int n = 0; n < 24; ++n) operands.push_back(random.one_in(4) ? complement(solids.next()) : solids.next());
-    std::vector<const Body*> pointers;
-    for (const Body& b : operands) pointers.push_back(&b);
+    const std::vector<const Body*> pointers = Drawn::pointers(operands);
     const Expression e = tree_of_parts(random, static_cast<std::uint32_t>(operands.size()));
-    booleans::Run run;
-    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+    const booleans::Run run = counting_parts(combined);
     ASSERT_TRUE(same(sound(evaluate(pointers, e)), sound(evaluate_in_parts(pointers, e, run))));
   }
   if (usual_thresholds()) {
@@ -130,11 +132,9 @@ TEST(Parts, BoxesWithAHole) {
       if (!is_shared) bodies.push_back(box({4 * i - 1, 1, 1}, {4 * i + 4, 2, 2}));
       e.add({Rule::operand, true, is_shared ? 0 : static_cast<std::uint32_t>(bodies.size() - 1), part});
     }
-    std::vector<const Body*> pointers;
-    for (const Body& b : bodies) pointers.push_back(&b);
+    const std::vector<const Body*> pointers = Drawn::pointers(bodies);
     std::size_t combined = 0;
-    booleans::Run run;
-    run.stage = [&](const char* name) { combined += std::string(name) == "parts"; };
+    const booleans::Run run = counting_parts(combined);
     const Body result = sound(evaluate_in_parts(pointers, e, run));
     EXPECT_EQ(body_of(canonical(result)).face_count(), 1000u);
     if (usual_thresholds()) {
@@ -146,8 +146,7 @@ TEST(Parts, BoxesWithAHole) {
 TEST(Parts, OperandsThatStandApartAreOneArrangement) {
   std::vector<Body> boxes;
   for (std::int64_t i = 0; i < 100; ++i) boxes.push_back(box({3 * i, 0, 0}, {3 * i + 2, 2, 2}));
-  std::vector<const Body*> pointers;
-  for (const Body& b : boxes) pointers.push_back(&b);
+  const std::vector<const Body*> pointers = Drawn::pointers(boxes);
   booleans::Run run;
   run.stage = [](const char* name) { EXPECT_STRNE(name, "parts"); };
   EXPECT_EQ(sound(evaluate_in_parts(pointers, Expression::flat(Rule::any, 100), run)).face_count(), 1200u);
@@ -157,8 +156,7 @@ TEST(Parts, ProgressNeverGoesBackAndCancellingEndsIt) {
   std::vector<Body> boxes;
   for (std::int64_t i = 0; i < 64; ++i)
     boxes.push_back(box({i % 4, i / 4 % 4, i / 16}, {i % 4 + 2, i / 4 % 4 + 2, i / 16 + 2}));
-  std::vector<const Body*> pointers;
-  for (const Body& b : boxes) pointers.push_back(&b);
+  const std::vector<const Body*> pointers = Drawn::pointers(boxes);
   std::vector<double> seen;
   std::atomic<bool> cancel = false;
   booleans::Run run;
