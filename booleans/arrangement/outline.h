@@ -34,6 +34,9 @@ struct Outline {
   std::vector<Split> splits;
   std::vector<exact::Point> new_points;  // where segments cross, NewVertex::own
 
+  std::span<const Change> changes_of(std::uint32_t segment) const {
+    return std::span(changes).subspan(change_start[segment], change_start[segment + 1] - change_start[segment]);
+  }
   /// Enters the new points into the table.
   void name_points(VertexTable& vertices);
 };

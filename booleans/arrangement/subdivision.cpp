@@ -1,53 +1,62 @@
 #include "booleans/arrangement/subdivision.h"
 
+#include <bit>
+#include <numeric>
 #include <set>
 
 namespace quoin::booleans {
 namespace {
 
-bool before(const Names& names, const Outline& outline, VertexId a, VertexId b) {
-  return outline.frame.compare(names.vertices, a, b) < 0;
-}
+/// Where vertices lie on the sheet, and beside its elements.
+struct View {
+  const Names& names;
+  const Outline& outline;
+  const Drawing::Elements& elements;
 
-/// +1 when the vertex lies above (left of) the element's line, 0 on it, -1 below. Left of n x n_line is where the
-/// line's plane is negative.
-int above(const Names& names, const Drawing::Elements& elements, VertexId v, std::uint32_t e) {
-  return -elements.direction[e] * names.side(v, elements.list[e].line);
-}
-
-/// +1 when the vertex lies on the left of the half-edge, 0 on its line, -1 on the right.
-int left_of(const Names& names, const Drawing::Elements& elements, std::uint32_t h, VertexId v) {
-  return h & 1 ? -above(names, elements, v, h / 2) : above(names, elements, v, h / 2);
-}
+  bool before(VertexId a, VertexId b) const { return outline.frame.compare(names.vertices, a, b) < 0; }
+  /// +1 when the vertex lies above (left of) the element's line, 0 on it, -1 below. Left of n x n_line is where the
+  /// line's plane is negative.
+  int above(VertexId v, std::uint32_t e) const {
+    const PlaneId line = elements.list[e].line;
+    return -outline.frame.direction(names.planes[outline.plane], names.planes[line]) * names.side(v, line);
+  }
+  /// Precondition: half-edges that run forward both, or backward both, from one vertex. Is g below h on the right side
+  /// of the vertex, or above h on the left side? Each of them spans less than a straight angle.
+  bool earlier_around(std::uint32_t g, std::uint32_t h) const {
+    const int up = above(elements.origin(h ^ 1), g / 2);
+    return (g & 1 ? -up : up) > 0;
+  }
+};
 
 std::uint32_t facet_left_of(const Drawing::LoopIds& loops, const Drawing::Facets& facets, std::uint32_t h) {
   return facets.of_loop[loops.of[h]];
 }
 
 /// By segment, then along it.
-void sort_splits(const Names& names, Outline& outline) {
-  std::sort(outline.splits.begin(), outline.splits.end(), [&](const Outline::Split& s, const Outline::Split& t) {
+void sort_splits(const View& view, std::vector<Outline::Split>& splits) {
+  std::sort(splits.begin(), splits.end(), [&](const Outline::Split& s, const Outline::Split& t) {
     if (s.segment != t.segment) return s.segment < t.segment;
-    return s.vertex != t.vertex && before(names, outline, s.vertex.named(), t.vertex.named());
+    return s.vertex != t.vertex && view.before(s.vertex.named(), t.vertex.named());
   });
 }
 
 /// The segments, cut at their splits; equal pieces stand together.
 const std::vector<Drawing::Piece>& cut_segments(const Outline& outline, std::vector<Drawing::Piece>& pieces) {
   const auto& splits = outline.splits;
-  pieces.clear();
-  std::size_t at = 0;
+  pieces.resize(outline.segments.size() + splits.size());
+  std::size_t at = 0, n = 0;
   for (std::uint32_t i = 0; i < outline.segments.size(); ++i) {
     const Outline::Segment& s = outline.segments[i];
     VertexId from = s.a;
     for (; at < splits.size() && splits[at].segment == i; ++at) {
       const VertexId v = splits[at].vertex.named();
       if (v == from) continue;
-      pieces.push_back({from, v, s.line, i});
+      pieces[n++] = {from, v, s.line, i};
       from = v;
     }
-    pieces.push_back({from, s.b, s.line, i});
+    pieces[n++] = {from, s.b, s.line, i};
   }
+  pieces.resize(n);
 
   std::sort(pieces.begin(), pieces.end(), [](const Drawing::Piece& p, const Drawing::Piece& q) {
     return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.segment < q.segment;
@@ -55,122 +64,143 @@ const std::vector<Drawing::Piece>& cut_segments(const Outline& outline, std::vec
   return pieces;
 }
 
-/// Equal pieces become one element with the changes of all.
-const Drawing::Elements& unite_pieces(const Names& names, const Outline& outline,
-                                      const std::vector<Drawing::Piece>& pieces, Drawing::Elements& elements) {
-  auto& list = elements.list;
-  auto& changes = elements.changes;
-  list.clear();
-  elements.direction.clear();
-  elements.change_start.clear();
-  changes.clear();
-
-  for (const Drawing::Piece& p : pieces) {
-    if (list.empty() || list.back().a != p.a || list.back().b != p.b) {
-      list.push_back({p.a, p.b, p.line});
-      elements.direction.push_back(outline.frame.direction(names.planes[outline.plane], names.planes[p.line]));
-      elements.change_start.push_back(static_cast<std::uint32_t>(changes.size()));
-    }
-    for (std::uint32_t c = outline.change_start[p.segment]; c < outline.change_start[p.segment + 1]; ++c)
-      changes.push_back(outline.changes[c]);
+/// Equal pieces become one element.
+const Drawing::Elements& unite_pieces(const std::vector<Drawing::Piece>& pieces, Array<Sheet::Element>& list,
+                                      Drawing::Elements& elements) {
+  auto& first_piece = elements.first_piece;
+  const std::size_t begin = list.size();
+  list.resize(begin + pieces.size());
+  first_piece.resize(pieces.size() + 1);
+  std::size_t n = 0;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    const Drawing::Piece& p = pieces[i];
+    if (i > 0 && pieces[i - 1].a == p.a && pieces[i - 1].b == p.b) continue;
+    list[begin + n] = {p.a, p.b, p.line};
+    first_piece[n++] = i;
   }
-  elements.change_start.push_back(static_cast<std::uint32_t>(changes.size()));
+  list.resize(begin + n);
+  first_piece[n] = static_cast<std::uint32_t>(pieces.size());
+  elements.list = std::span(list).subspan(begin);
   return elements;
 }
 
-const Drawing::Order& order_vertices(const Names& names, const Outline& outline, const Drawing::Elements& elements,
-                                     Drawing::Order& order) {
-  auto& vertices = order.vertices;
-  auto& rank_of = order.rank_of;
-  for (const VertexId v : vertices) rank_of[v] = none;  // those of the sheet before
-  vertices.clear();
-  if (rank_of.size() < names.vertices.size()) rank_of.resize(names.vertices.size(), none);
-  const auto add = [&](VertexId v) {
-    if (rank_of[v] != none) return;
-    vertices.push_back(v);
-    rank_of[v] = 0;
+const Drawing::Vertices& number_vertices(const std::vector<VertexId>& points, const Drawing::Elements& elements,
+                                         Drawing::Vertices& vertices) {
+  auto& list = vertices.list;
+  auto& slots = vertices.slots;
+  const std::size_t most = points.size() + elements.half_edges();
+  const int bits = std::bit_width(most);
+  slots.assign(std::size_t{1} << bits, none);
+  list.resize(most);
+  std::uint32_t n = 0;
+  const auto number = [&](VertexId v) {
+    std::size_t i = (v.value * 0x9E3779B97F4A7C15u) >> (64 - bits);
+    for (std::uint32_t w; (w = slots[i]) != none; i = (i + 1) & (slots.size() - 1))
+      if (list[w] == v) return w;
+    list[n] = v;
+    return slots[i] = n++;
   };
-  for (const VertexId v : outline.points) add(v);
-  for (const auto& e : elements.list) {
-    add(e.a);
-    add(e.b);
-  }
-  std::sort(vertices.begin(), vertices.end(), [&](VertexId a, VertexId b) { return before(names, outline, a, b); });
 
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) rank_of[vertices[i]] = i;
-  order.rank.resize(elements.half_edges());
-  for (std::uint32_t h = 0; h < order.rank.size(); ++h) order.rank[h] = rank_of[elements.origin(h)];
-  return order;
+  auto& origin = vertices.origin;
+  origin.resize(elements.half_edges());
+  for (std::uint32_t e = 0; e < elements.list.size(); ++e) {
+    const bool again = e > 0 && elements.list[e].a == elements.list[e - 1].a;
+    origin[2 * e] = again ? origin[2 * e - 2] : number(elements.list[e].a);
+    origin[2 * e + 1] = number(elements.list[e].b);
+  }
+  for (const VertexId v : points) number(v);
+  list.resize(n);
+  return vertices;
 }
 
-const Drawing::Rotation& sort_around_vertices(const Names& names, const Drawing::Elements& elements,
-                                              const Drawing::Order& order, Drawing::Rotation& rotation) {
-  auto& out = rotation.out;
-  auto& clockwise = rotation.clockwise;
-  const auto& rank = order.rank;
-  out.assign(order.vertices.size(), [&](auto&& visit) {
-    for (std::uint32_t h = 0; h < rank.size(); ++h) visit(rank[h], h);
-  });
+/// Sorts half-edges that run forward all, or backward all, from one vertex.
+void sort_half(const View& view, std::span<std::uint32_t> half) {
+  if (half.size() == 2) {
+    if (view.earlier_around(half[1], half[0])) std::swap(half[0], half[1]);
+  } else if (half.size() > 2) {
+    std::sort(half.begin(), half.end(),
+              [&](std::uint32_t g, std::uint32_t h) { return g != h && view.earlier_around(g, h); });
+  }
+}
 
-  // Counter-clockwise from straight down: first the half-edges that run forward (to the right), then the others. Within
-  // a half, which spans less than a straight angle, the later one ends on the left of the earlier one.
-  const auto earlier = [&](std::uint32_t g, std::uint32_t h) {
-    if ((g & 1) != (h & 1)) return (g & 1) == 0;
-    return g != h && left_of(names, elements, g, elements.origin(h ^ 1)) > 0;
-  };
-  clockwise.resize(rank.size());
-  for (std::size_t v = 0; v < out.size(); ++v) {
-    const std::span<std::uint32_t> around = out[v];
-    if (around.size() == 2) {
-      if (earlier(around[1], around[0])) std::swap(around[0], around[1]);
-    } else if (around.size() > 2) {
-      std::sort(around.begin(), around.end(), earlier);
+/// Counter-clockwise from straight down: first the half-edges that run forward (to the right), then the others.
+const Drawing::Rotation& sort_around_vertices(const View& view, const Drawing::Vertices& vertices,
+                                              std::span<std::uint32_t> clockwise, Drawing::Rotation& rotation) {
+  auto& first = rotation.first;
+  auto& next = rotation.next;
+  const auto& origin = vertices.origin;
+  const auto half_edges = static_cast<std::uint32_t>(origin.size());
+  rotation.clockwise = clockwise;
+
+  first.assign(vertices.list.size(), none);
+  next.resize(half_edges);
+  for (std::uint32_t h = half_edges; h > 0; h -= 2) next[h - 1] = std::exchange(first[origin[h - 1]], h - 1);
+  for (std::uint32_t h = half_edges; h > 0; h -= 2) next[h - 2] = std::exchange(first[origin[h - 2]], h - 2);
+
+  auto& around = rotation.around;
+  for (std::uint32_t& start : first) {
+    if (start == none) continue;
+    const std::uint32_t second = next[start];
+    if (second != none && next[second] == none) {
+      // Which of two comes first matters at a component's leftmost vertex only.
+      clockwise[start] = second;
+      clockwise[second] = start;
+      if (!(second & 1) && view.earlier_around(second, start)) start = second;
+      continue;
     }
-    for (std::size_t i = 0; i < around.size(); ++i) clockwise[around[i]] = around[(i > 0 ? i : around.size()) - 1];
+
+    around.clear();
+    std::size_t forward = 0;
+    for (std::uint32_t h = start; h != none; h = next[h]) {
+      around.push_back(h);
+      forward += (h & 1) == 0;
+    }
+    sort_half(view, std::span(around).first(forward));
+    sort_half(view, std::span(around).subspan(forward));
+    start = around[0];
+    std::uint32_t last = around.back();
+    for (const std::uint32_t h : around) clockwise[h] = std::exchange(last, h);
   }
   return rotation;
 }
 
 const Drawing::LoopIds& trace_loops(const Drawing::Rotation& rotation, Drawing::LoopIds& loops) {
   auto& of = loops.of;
-  loops.count = 0;
+  std::uint32_t count = 0;
   of.assign(rotation.clockwise.size(), none);
   for (std::uint32_t h = 0; h < of.size(); ++h) {
     if (of[h] != none) continue;
-    for (std::uint32_t g = h; of[g] == none; g = rotation.clockwise[g ^ 1]) of[g] = loops.count;
-    ++loops.count;
+    rotation.visit_loop(h, [&](std::uint32_t g) { of[g] = count; });
+    ++count;
   }
+  loops.count = count;
   return loops;
 }
 
-/// The loop that looks outward is the one that sees "left" at the leftmost vertex.
-const Drawing::Components& find_components(const Drawing::Order& order, const Drawing::Rotation& rotation,
-                                           const Drawing::LoopIds& loops, Drawing::Components& components) {
-  auto& of = components.of;
-  auto& stack = components.stack;
-  of.assign(order.vertices.size(), none);
-  components.leftmost.clear();
-  components.outward.clear();
-  for (std::uint32_t v = 0; v < of.size(); ++v) {
-    if (of[v] != none) continue;
-    const auto c = static_cast<std::uint32_t>(components.leftmost.size());
-    const auto around = rotation.out[v];
-    components.leftmost.push_back(v);
-    components.outward.push_back(around.empty() ? none : loops.of[around.back()]);
-    of[v] = c;
-
-    stack.assign(1, v);
-    while (!stack.empty()) {
-      const std::uint32_t w = stack.back();
-      stack.pop_back();
-      for (const std::uint32_t h : rotation.out[w]) {
-        const std::uint32_t x = order.rank[h ^ 1];
-        if (of[x] != none) continue;
-        of[x] = c;
-        stack.push_back(x);
-      }
-    }
+/// Of the leftmost vertex of each component all half-edges run forward; the loop that looks outward is that of the last
+/// one, which sees "left".
+const Drawing::Components& find_components(const View& view, const Drawing::Vertices& vertices,
+                                           const Drawing::Rotation& rotation, const Drawing::LoopIds& loops,
+                                           Drawing::Components& components) {
+  auto& list = components.list;
+  list.clear();
+  for (std::uint32_t v = 0; v < rotation.first.size(); ++v) {
+    const std::uint32_t first = rotation.first[v], last = first == none ? none : rotation.clockwise[first];
+    if (last == none || !(last & 1)) list.push_back({v, last});
   }
+  if (list.size() < 2) return components;
+
+  std::sort(list.begin(), list.end(), [&](const auto& c, const auto& d) {
+    return view.before(vertices.list[c.leftmost], vertices.list[d.leftmost]);
+  });
+  auto& together = components.together;
+  together.reset(loops.count);
+  for (std::uint32_t h = 0; h < loops.of.size(); h += 2) together.unite(loops.of[h], loops.of[h + 1]);
+  auto& listed = components.listed;
+  listed.assign(loops.count, 0);
+  std::erase_if(list, [&](const auto& c) {
+    return c.outward != none && std::exchange(listed[together.find(loops.of[c.outward])], 1) != 0;
+  });
   return components;
 }
 
@@ -180,44 +210,53 @@ struct Lower {
     VertexId id;
   };
   using is_transparent = void;
-  const Names& names;
-  const Outline& outline;
-  const Drawing::Elements& elements;
+  const View& view;
 
   bool operator()(std::uint32_t e, std::uint32_t f) const {
     if (e == f) return false;
-    const auto &p = elements.list[e], &q = elements.list[f];
-    if (p.a == q.a) return above(names, elements, q.b, e) > 0;
-    if (before(names, outline, p.a, q.a)) return above(names, elements, q.a, e) > 0;
-    return above(names, elements, p.a, f) < 0;
+    const auto &p = view.elements.list[e], &q = view.elements.list[f];
+    if (p.a == q.a) return view.above(q.b, e) > 0;
+    if (view.before(p.a, q.a)) return view.above(q.a, e) > 0;
+    return view.above(p.a, f) < 0;
   }
-  bool operator()(std::uint32_t e, Vertex v) const { return above(names, elements, v.id, e) > 0; }
-  bool operator()(Vertex v, std::uint32_t e) const { return above(names, elements, v.id, e) < 0; }
+  bool operator()(std::uint32_t e, Vertex v) const { return view.above(v.id, e) > 0; }
+  bool operator()(Vertex v, std::uint32_t e) const { return view.above(v.id, e) < 0; }
 };
 
 /// The element below the leftmost vertex of each component, none where there is none: by one sweep over the vertices.
-const std::vector<std::uint32_t>& find_elements_below(const Lower& lower, const Drawing::Order& order,
+void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::Rotation& rotation,
+           const Drawing::Components& components, std::vector<std::uint32_t>& below) {
+  std::vector<std::uint32_t> order(vertices.list.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t v, std::uint32_t w) { return view.before(vertices.list[v], vertices.list[w]); });
+
+  using Status = std::set<std::uint32_t, Lower>;
+  Status status(Lower{view});
+  std::vector<Status::iterator> place(view.elements.list.size());
+  std::size_t c = 0;
+  for (const std::uint32_t v : order) {
+    if (c < below.size() && components.list[c].leftmost == v) {
+      // The highest element below v: the last one that v is above. Nothing passes through the vertex.
+      const auto at = status.lower_bound(Lower::Vertex{vertices.list[v]});
+      if (at != status.begin()) below[c] = *std::prev(at);
+      ++c;
+    }
+    rotation.visit_around(v, [&](std::uint32_t h) {
+      if (h & 1) status.erase(place[h / 2]);
+    });
+    rotation.visit_around(v, [&](std::uint32_t h) {
+      if (!(h & 1)) place[h / 2] = status.insert(h / 2).first;
+    });
+  }
+}
+
+const std::vector<std::uint32_t>& find_elements_below(const View& view, const Drawing::Vertices& vertices,
                                                       const Drawing::Rotation& rotation,
                                                       const Drawing::Components& components,
                                                       std::vector<std::uint32_t>& below) {
-  below.assign(components.leftmost.size(), none);
-  if (below.size() == 1) return below;
-
-  using Status = std::set<std::uint32_t, Lower>;
-  Status status(lower);
-  std::vector<Status::iterator> place(lower.elements.list.size());
-  for (std::uint32_t v = 0; v < order.vertices.size(); ++v) {
-    const std::uint32_t c = components.of[v];
-    if (components.leftmost[c] == v && !status.empty()) {
-      // The highest element below v: the last one that v is above. Nothing passes through the vertex.
-      const auto at = status.lower_bound(Lower::Vertex{order.vertices[v]});
-      if (at != status.begin()) below[c] = *std::prev(at);
-    }
-    for (const std::uint32_t h : rotation.out[v])
-      if (h & 1) status.erase(place[h / 2]);
-    for (const std::uint32_t h : rotation.out[v])
-      if (!(h & 1)) place[h / 2] = status.insert(h / 2).first;
-  }
+  below.assign(components.list.size(), none);
+  if (below.size() > 1) sweep(view, vertices, rotation, components, below);
   return below;
 }
 
@@ -225,74 +264,72 @@ const std::vector<std::uint32_t>& find_elements_below(const Lower& lower, const 
 /// vertex; every other loop bounds a facet of its own.
 const Drawing::Facets& nest_components(const Drawing::LoopIds& loops, const Drawing::Components& components,
                                        const std::vector<std::uint32_t>& below, Drawing::Facets& facets) {
-  const auto& outward = components.outward;
+  const auto& list = components.list;
   facets.count = 1;
   facets.of_loop.assign(loops.count, none);
-  for (const std::uint32_t l : outward)
-    if (l != none) facets.of_loop[l] = 0;
+  for (const auto& c : list)
+    if (c.outward != none) facets.of_loop[loops.of[c.outward]] = 0;
   for (std::uint32_t& f : facets.of_loop)
     if (f == none) f = facets.count++;
 
   // From left to right: the element below belongs to a component that is nested already.
-  facets.of_component.assign(outward.size(), 0);
-  for (std::size_t c = 0; c < outward.size(); ++c) {
+  facets.of_component.assign(list.size(), 0);
+  for (std::size_t c = 0; c < list.size(); ++c) {
     if (below[c] == none) continue;
     facets.of_component[c] = facet_left_of(loops, facets, 2 * below[c]);
-    if (outward[c] != none) facets.of_loop[outward[c]] = facets.of_component[c];
+    if (list[c].outward != none) facets.of_loop[loops.of[list[c].outward]] = facets.of_component[c];
   }
   return facets;
 }
 
-const grid::Buckets<>& collect_sides(const Drawing::LoopIds& loops, const Drawing::Facets& facets,
-                                     grid::Buckets<>& sides) {
-  sides.assign(facets.count, [&](auto&& visit) {
-    for (std::uint32_t h = 0; h < loops.of.size(); ++h) visit(facet_left_of(loops, facets, h), h);
-  });
-  return sides;
-}
+/// Appends the cover of a facet: that of the one on the left of the half-edge, which is given, turned into that on its
+/// right.
+std::array<std::uint32_t, 2> cross(const Outline& outline, const Drawing& drawing, std::uint32_t h,
+                                   std::array<std::uint32_t, 2> left, std::vector<Drawing::Covers::Cover>& list) {
+  const auto begin = static_cast<std::uint32_t>(list.size());
+  for (std::uint32_t i = left[0]; i < left[1]; ++i) list.push_back(Drawing::Covers::Cover(list[i]));
 
-/// Turns list[begin] .., the cover on the left of the half-edge, into that on its right.
-void cross(const Drawing::Elements& elements, std::uint32_t h, std::uint32_t begin,
-           std::vector<Drawing::Covers::Cover>& list) {
   // Half-edge 2e has the left side here, so going to the right takes the change away.
   const int sign = h & 1 ? 1 : -1;
-  for (std::uint32_t c = elements.change_start[h / 2]; c < elements.change_start[h / 2 + 1]; ++c) {
-    const Outline::Change& change = elements.changes[c];
-    std::uint32_t i = begin;
-    while (i < list.size() && list[i].face != change.face) ++i;
-    if (i == list.size()) list.push_back({change.face, 0});
-    list[i].times += sign * change.by;
-    if (list[i].times != 0) continue;
-    list[i] = list.back();
-    list.pop_back();
-  }
+  const auto& first_piece = drawing.elements.first_piece;
+  for (std::uint32_t p = first_piece[h / 2]; p < first_piece[h / 2 + 1]; ++p)
+    for (const Outline::Change& change : outline.changes_of(drawing.pieces[p].segment)) {
+      std::uint32_t i = begin;
+      while (i < list.size() && list[i].face != change.face) ++i;
+      if (i == list.size()) list.push_back({change.face, 0});
+      list[i].times += sign * change.by;
+      if (list[i].times != 0) continue;
+      list[i] = list.back();
+      list.pop_back();
+    }
   std::sort(list.begin() + begin, list.end(),
             [](const Drawing::Covers::Cover& x, const Drawing::Covers::Cover& y) { return x.face < y.face; });
+  return {begin, static_cast<std::uint32_t>(list.size())};
 }
 
-/// Walks from the unbounded facet over the elements.
-const Drawing::Covers& cover_facets(const Drawing::Elements& elements, const Drawing::LoopIds& loops,
-                                    const Drawing::Facets& facets, const grid::Buckets<>& sides,
-                                    Drawing::Covers& covers) {
-  auto& list = covers.list;
+/// Walks from the outward loop of each component over its elements. From left to right: the facet around a component is
+/// covered already.
+const Drawing::Covers& cover_facets(const Outline& outline, const Drawing& drawing, Drawing::Covers& covers) {
+  const auto& facets = drawing.facets;
   auto& of = covers.of;
   auto& stack = covers.stack;
-  list.clear();
+  covers.list.clear();
   of.assign(facets.count, {none, none});
   of[0] = {0, 0};
-  stack.assign(1, 0u);
-  while (!stack.empty()) {
-    const std::uint32_t from = stack.back();
-    stack.pop_back();
-    for (const std::uint32_t h : sides[from]) {
-      const std::uint32_t to = facet_left_of(loops, facets, h ^ 1);
-      if (of[to][0] != none) continue;
-      stack.push_back(to);
-
-      const auto begin = static_cast<std::uint32_t>(list.size());
-      for (std::uint32_t i = of[from][0]; i < of[from][1]; ++i) list.push_back(Drawing::Covers::Cover(list[i]));
-      cross(elements, h, begin, list);
-      of[to] = {begin, static_cast<std::uint32_t>(list.size())};
+  std::uint32_t covered = 1;
+  for (const auto& component : drawing.components.list) {
+    if (component.outward != none) stack.assign(1, component.outward);
+    while (!stack.empty() && covered < facets.count) {
+      const std::uint32_t start = stack.back();
+      stack.pop_back();
+      const auto from = of[facet_left_of(drawing.loops, facets, start)];
+      drawing.rotation.visit_loop(start, [&](std::uint32_t h) {
+        const std::uint32_t to = facet_left_of(drawing.loops, facets, h ^ 1);
+        if (of[to][0] != none) return;
+        of[to] = cross(outline, drawing, h, from, covers.list);
+        stack.push_back(h ^ 1);
+        ++covered;
+      });
     }
   }
   return covers;
@@ -310,54 +347,51 @@ const std::vector<FacetId>& list_covers(const Drawing::Covers& covers, SheetList
     names[f] = count++;
 
     // A face lies on the left of its boundary, so no count is negative; of bad input the labels show it (selection.h).
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const Drawing::Covers::Cover& c = covers.list[i];
-      lists.cover.insert(lists.cover.end(), static_cast<std::size_t>(std::max(c.times, 0)), c.face);
-    }
+    for (std::uint32_t i = begin; i < end; ++i)
+      for (int k = 0; k < covers.list[i].times; ++k) lists.cover.push_back(covers.list[i].face);
     lists.cover_start.push_back(static_cast<std::uint32_t>(lists.cover.size() - first));
   }
   return names;
 }
 
-void list_half_edges(const Drawing::Elements& elements, const Drawing::Rotation& rotation,
-                     const Drawing::LoopIds& loops, const Drawing::Facets& facets, const std::vector<FacetId>& names,
-                     SheetLists& lists) {
-  for (std::uint32_t h = 0; h < elements.half_edges(); ++h)
-    lists.facet.push_back(names[facet_left_of(loops, facets, h)]);
-  lists.elements.insert(lists.elements.end(), elements.list.begin(), elements.list.end());
-  lists.clockwise.insert(lists.clockwise.end(), rotation.clockwise.begin(), rotation.clockwise.end());
+void list_facets(const Drawing::LoopIds& loops, const Drawing::Facets& facets, const std::vector<FacetId>& names,
+                 Array<FacetId>& list) {
+  const std::size_t begin = list.size();
+  list.resize(begin + loops.of.size());
+  for (std::uint32_t h = 0; h < loops.of.size(); ++h) list[begin + h] = names[facet_left_of(loops, facets, h)];
 }
 
-void list_isolated(const Drawing::Order& order, const Drawing::Components& components, const Drawing::Facets& facets,
-                   const std::vector<FacetId>& names, SheetLists& lists) {
-  for (std::size_t c = 0; c < components.leftmost.size(); ++c) {
-    if (components.outward[c] != none) continue;
+void list_isolated(const Drawing::Vertices& vertices, const Drawing::Components& components,
+                   const Drawing::Facets& facets, const std::vector<FacetId>& names, Array<Sheet::Isolated>& list) {
+  for (std::size_t c = 0; c < components.list.size(); ++c) {
+    if (components.list[c].outward != none) continue;
     const FacetId f = names[facets.of_component[c]];
-    if (f != none) lists.isolated.push_back({order.vertices[components.leftmost[c]], f});
+    if (f != none) list.push_back({vertices.list[components.list[c].leftmost], f});
   }
 }
 
 }  // namespace
 
 void draw(const Names& names, Outline& outline, Drawing& drawing, SheetLists& lists) {
-  sort_splits(names, outline);
+  const View view{names, outline, drawing.elements};
+  sort_splits(view, outline.splits);
   const auto& pieces = cut_segments(outline, drawing.pieces);
-  const auto& elements = unite_pieces(names, outline, pieces, drawing.elements);
+  const auto& elements = unite_pieces(pieces, lists.elements, drawing.elements);
 
-  const auto& order = order_vertices(names, outline, elements, drawing.order);
-  const auto& rotation = sort_around_vertices(names, elements, order, drawing.rotation);
+  const auto& vertices = number_vertices(outline.points, elements, drawing.vertices);
+  lists.clockwise.resize(lists.clockwise.size() + elements.half_edges());
+  const auto clockwise = std::span(lists.clockwise).last(elements.half_edges());
+  const auto& rotation = sort_around_vertices(view, vertices, clockwise, drawing.rotation);
   const auto& loops = trace_loops(rotation, drawing.loops);
 
-  const auto& components = find_components(order, rotation, loops, drawing.components);
-  const auto& below = find_elements_below({names, outline, elements}, order, rotation, components, drawing.below);
+  const auto& components = find_components(view, vertices, rotation, loops, drawing.components);
+  const auto& below = find_elements_below(view, vertices, rotation, components, drawing.below);
   const auto& facets = nest_components(loops, components, below, drawing.facets);
-
-  const auto& sides = collect_sides(loops, facets, drawing.sides);
-  const auto& covers = cover_facets(elements, loops, facets, sides, drawing.covers);
+  const auto& covers = cover_facets(outline, drawing, drawing.covers);
 
   const auto& facet_names = list_covers(covers, lists, drawing.names);
-  list_half_edges(elements, rotation, loops, facets, facet_names, lists);
-  list_isolated(order, components, facets, facet_names, lists);
+  list_facets(loops, facets, facet_names, lists.facet);
+  list_isolated(vertices, components, facets, facet_names, lists.isolated);
 }
 
 }  // namespace quoin::booleans

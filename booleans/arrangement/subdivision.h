@@ -4,7 +4,7 @@
 
 #include "booleans/arrangement/outline.h"
 #include "booleans/arrangement/sheets.h"
-#include "grid/lists/buckets.h"
+#include "grid/lists/partition.h"
 
 namespace quoin::booleans {
 
@@ -19,25 +19,42 @@ struct Drawing {
   };
   /// Equal pieces of overlapping segments are one element.
   struct Elements {
-    std::vector<Sheet::Element> list;
-    std::vector<int> direction;  // Frame::direction of its line
-    // A face begins to cover, or ends, where element e is crossed from right to left: changes[change_start[e]] ..
-    std::vector<std::uint32_t> change_start;
-    std::vector<Outline::Change> changes;
+    std::span<const Sheet::Element> list;    // those of the sheet, by (a, b)
+    std::vector<std::uint32_t> first_piece;  // element e is pieces[first_piece[e]] .. pieces[first_piece[e + 1] - 1]
 
     std::uint32_t half_edges() const { return static_cast<std::uint32_t>(2 * list.size()); }
     VertexId origin(std::uint32_t h) const { return h & 1 ? list[h / 2].b : list[h / 2].a; }
   };
-  /// The sheet's vertices in the order of the frame; `rank` of each half-edge's origin.
-  struct Order {
-    std::vector<VertexId> vertices;
-    std::vector<std::uint32_t> rank;
-    ById<VertexId, std::uint32_t> rank_of;  // of the vertices, none for others
+  /// The sheet's vertices, numbered as they come.
+  struct Vertices {
+    std::vector<VertexId> list;
+    std::vector<std::uint32_t> origin;  // by half-edge: the number of its origin
+    std::vector<std::uint32_t> slots;   // memory of the step: open addressing
   };
   /// Half-edges around each vertex.
   struct Rotation {
-    grid::Buckets<> out;                   // by rank of the origin, counter-clockwise from "straight down"
-    std::vector<std::uint32_t> clockwise;  // by half-edge
+    std::span<std::uint32_t> clockwise;  // by half-edge: that of the sheet
+    std::vector<std::uint32_t> first;    // by vertex: the first one counter-clockwise from "straight down", or none
+    std::vector<std::uint32_t> next, around;  // memory of the step
+
+    template <class Visit>
+    void visit_around(std::uint32_t vertex, Visit visit) const {
+      const std::uint32_t start = first[vertex];
+      if (start == none) return;
+      for (std::uint32_t h = clockwise[start];; h = clockwise[h]) {
+        visit(h);
+        if (h == start) return;
+      }
+    }
+    /// The half-edges that have one region on their left.
+    template <class Visit>
+    void visit_loop(std::uint32_t start, Visit visit) const {
+      std::uint32_t h = start;
+      do {
+        visit(h);
+        h = clockwise[h ^ 1];
+      } while (h != start);
+    }
   };
   struct LoopIds {
     std::vector<std::uint32_t> of;  // by half-edge
@@ -45,10 +62,13 @@ struct Drawing {
   };
   /// Connected pieces of the drawing, from left to right.
   struct Components {
-    std::vector<std::uint32_t> of;        // by rank
-    std::vector<std::uint32_t> leftmost;  // the rank of each one's first vertex
-    std::vector<std::uint32_t> outward;   // the loop that looks outward, none of a vertex alone
-    std::vector<std::uint32_t> stack;     // memory of the step
+    struct Component {
+      std::uint32_t leftmost;  // its first vertex in the order of the frame
+      std::uint32_t outward;   // a half-edge whose loop looks outward, none of a vertex alone
+    };
+    std::vector<Component> list;
+    grid::Partition together{0};  // memory of the step
+    std::vector<char> listed;     // memory of the step
   };
   /// Facet 0 is the unbounded one.
   struct Facets {
@@ -66,15 +86,14 @@ struct Drawing {
     std::vector<std::uint32_t> stack;              // memory of the step
   };
 
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;  // by (a, b, segment)
   Elements elements;
-  Order order;
+  Vertices vertices;
   Rotation rotation;
   LoopIds loops;
   Components components;
   std::vector<std::uint32_t> below;  // by component: the element below its leftmost vertex, or none
   Facets facets;
-  grid::Buckets<> sides;  // half-edges by the facet on their left
   Covers covers;
   std::vector<FacetId> names;  // by facet, none where no face covers
 };
