@@ -185,8 +185,7 @@ const Drawing::Components& find_components(const View& view, const Drawing::Vert
   auto& list = components.list;
   list.clear();
   for (std::uint32_t v = 0; v < rotation.first.size(); ++v) {
-    const std::uint32_t first = rotation.first[v], last = first == none ? none : rotation.clockwise[first];
-    if (last == none || !(last & 1)) list.push_back({v, last});
+    if (!rotation.has_backward(v)) list.push_back({v, rotation.last(v)});
   }
   if (list.size() < 2) return components;
 
@@ -204,26 +203,27 @@ const Drawing::Components& find_components(const View& view, const Drawing::Vert
   return components;
 }
 
-/// The sweep's order of elements that a vertical line crosses, and of a vertex among them: no two elements cross.
+/// A place among the elements that a vertical line crosses. Where an element ends, one that begins takes its place.
+struct Crossed {
+  mutable std::uint32_t element;
+};
+
+/// The sweep's order of them from below, and of a vertex among them: no two elements cross.
 struct Lower {
-  struct Vertex {
-    VertexId id;
-  };
   using is_transparent = void;
   const View& view;
 
-  bool operator()(std::uint32_t e, std::uint32_t f) const {
-    if (e == f) return false;
-    const auto &p = view.elements.list[e], &q = view.elements.list[f];
-    if (p.a == q.a) return view.above(q.b, e) > 0;
-    if (view.before(p.a, q.a)) return view.above(q.a, e) > 0;
-    return view.above(p.a, f) < 0;
+  bool operator()(Crossed c, Crossed d) const {
+    const auto &p = view.elements.list[c.element], &q = view.elements.list[d.element];
+    if (p.a == q.a) return view.above(q.b, c.element) > 0;
+    if (view.before(p.a, q.a)) return view.above(q.a, c.element) > 0;
+    return view.above(p.a, d.element) < 0;
   }
-  bool operator()(std::uint32_t e, Vertex v) const { return view.above(v.id, e) > 0; }
-  bool operator()(Vertex v, std::uint32_t e) const { return view.above(v.id, e) < 0; }
+  bool operator()(Crossed c, VertexId v) const { return view.above(v, c.element) > 0; }
+  bool operator()(VertexId v, Crossed c) const { return view.above(v, c.element) < 0; }
 };
 
-/// The element below the leftmost vertex of each component, none where there is none: by one sweep over the vertices.
+/// Looks up places only where nothing ends, which is so at each component's leftmost vertex.
 void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::Rotation& rotation,
            const Drawing::Components& components, std::vector<std::uint32_t>& below) {
   std::vector<std::uint32_t> order(vertices.list.size());
@@ -231,26 +231,42 @@ void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::R
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t v, std::uint32_t w) { return view.before(vertices.list[v], vertices.list[w]); });
 
-  using Status = std::set<std::uint32_t, Lower>;
+  using Status = std::multiset<Crossed, Lower>;
   Status status(Lower{view});
-  std::vector<Status::iterator> place(view.elements.list.size());
+  std::vector<Status::iterator> place(view.elements.list.size()), ended;
   std::size_t c = 0;
   for (const std::uint32_t v : order) {
-    if (c < below.size() && components.list[c].leftmost == v) {
-      // The highest element below v: the last one that v is above. Nothing passes through the vertex.
-      const auto at = status.lower_bound(Lower::Vertex{vertices.list[v]});
-      if (at != status.begin()) below[c] = *std::prev(at);
-      ++c;
+    Status::iterator at;
+    if (!rotation.has_backward(v)) {
+      at = status.lower_bound(vertices.list[v]);
+      if (c < below.size() && components.list[c].leftmost == v) {
+        // The highest element below v: the last one that v is above. Nothing passes through the vertex.
+        if (at != status.begin()) below[c] = std::prev(at)->element;
+        ++c;
+      }
     }
+
+    // Clockwise from straight down: what ends here from below, then what begins here from above.
     rotation.visit_around(v, [&](std::uint32_t h) {
-      if (h & 1) status.erase(place[h / 2]);
+      if (h & 1) {
+        ended.push_back(place[h / 2]);
+        return;
+      }
+      if (ended.empty()) {
+        at = status.insert(at, Crossed{h / 2});
+      } else {
+        at = ended.back();
+        at->element = h / 2;
+        ended.pop_back();
+      }
+      place[h / 2] = at;
     });
-    rotation.visit_around(v, [&](std::uint32_t h) {
-      if (!(h & 1)) place[h / 2] = status.insert(h / 2).first;
-    });
+    for (const Status::iterator i : ended) status.erase(i);
+    ended.clear();
   }
 }
 
+/// The element below the leftmost vertex of each component, none where there is none.
 const std::vector<std::uint32_t>& find_elements_below(const View& view, const Drawing::Vertices& vertices,
                                                       const Drawing::Rotation& rotation,
                                                       const Drawing::Components& components,

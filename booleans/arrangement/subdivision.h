@@ -37,6 +37,12 @@ struct Drawing {
     std::vector<std::uint32_t> first;    // by vertex: the first one counter-clockwise from "straight down", or none
     std::vector<std::uint32_t> next, around;  // memory of the step
 
+    std::uint32_t last(std::uint32_t vertex) const { return first[vertex] == none ? none : clockwise[first[vertex]]; }
+    bool has_backward(std::uint32_t vertex) const {
+      const std::uint32_t h = last(vertex);
+      return h != none && (h & 1);
+    }
+    /// Clockwise from "straight down".
     template <class Visit>
     void visit_around(std::uint32_t vertex, Visit visit) const {
       const std::uint32_t start = first[vertex];
