@@ -42,21 +42,19 @@ void sort_splits(const View& view, std::vector<Outline::Split>& splits) {
 
 /// The segments, cut at their splits; equal pieces stand together.
 const std::vector<Drawing::Piece>& cut_segments(const Outline& outline, std::vector<Drawing::Piece>& pieces) {
-  const auto& splits = outline.splits;
-  pieces.resize(outline.segments.size() + splits.size());
-  std::size_t at = 0, n = 0;
-  for (std::uint32_t i = 0; i < outline.segments.size(); ++i) {
-    const Outline::Segment& s = outline.segments[i];
+  pieces.resize(outline.segments.size() + outline.splits.size());
+  auto piece = pieces.begin();
+  auto split = outline.splits.begin();
+  std::uint32_t i = 0;
+  for (const Outline::Segment& s : outline.segments) {
     VertexId from = s.a;
-    for (; at < splits.size() && splits[at].segment == i; ++at) {
-      const VertexId v = splits[at].vertex.named();
-      if (v == from) continue;
-      pieces[n++] = {from, v, s.line, i};
-      from = v;
+    for (; split != outline.splits.end() && split->segment == i; ++split) {
+      const VertexId v = split->vertex.named();
+      if (v != from) *piece++ = {std::exchange(from, v), v, s.line, i};
     }
-    pieces[n++] = {from, s.b, s.line, i};
+    *piece++ = {from, s.b, s.line, i++};
   }
-  pieces.resize(n);
+  pieces.erase(piece, pieces.end());
 
   std::sort(pieces.begin(), pieces.end(), [](const Drawing::Piece& p, const Drawing::Piece& q) {
     return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.segment < q.segment;
@@ -67,19 +65,22 @@ const std::vector<Drawing::Piece>& cut_segments(const Outline& outline, std::vec
 /// Equal pieces become one element.
 const Drawing::Elements& unite_pieces(const std::vector<Drawing::Piece>& pieces, Array<Sheet::Element>& list,
                                       Drawing::Elements& elements) {
-  auto& first_piece = elements.first_piece;
   const std::size_t begin = list.size();
   list.resize(begin + pieces.size());
-  first_piece.resize(pieces.size() + 1);
-  std::size_t n = 0;
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    const Drawing::Piece& p = pieces[i];
-    if (i > 0 && pieces[i - 1].a == p.a && pieces[i - 1].b == p.b) continue;
-    list[begin + n] = {p.a, p.b, p.line};
-    first_piece[n++] = i;
+  elements.first_piece.resize(pieces.size() + 1);
+  auto element = list.begin() + static_cast<std::ptrdiff_t>(begin);
+  auto first = elements.first_piece.begin();
+  Sheet::Element last{};
+  std::uint32_t i = 0;
+  for (const Drawing::Piece& p : pieces) {
+    if (p.a != last.a || p.b != last.b) {
+      *element++ = last = {p.a, p.b, p.line};
+      *first++ = i;
+    }
+    ++i;
   }
-  list.resize(begin + n);
-  first_piece[n] = static_cast<std::uint32_t>(pieces.size());
+  *first = i;
+  list.erase(element, list.end());
   elements.list = std::span(list).subspan(begin);
   return elements;
 }
@@ -101,12 +102,14 @@ const Drawing::Vertices& number_vertices(const std::vector<VertexId>& points, co
     return slots[i] = n++;
   };
 
-  auto& origin = vertices.origin;
-  origin.resize(elements.half_edges());
-  for (std::uint32_t e = 0; e < elements.list.size(); ++e) {
-    const bool again = e > 0 && elements.list[e].a == elements.list[e - 1].a;
-    origin[2 * e] = again ? origin[2 * e - 2] : number(elements.list[e].a);
-    origin[2 * e + 1] = number(elements.list[e].b);
+  vertices.origin.resize(elements.half_edges());
+  auto origin = vertices.origin.begin();
+  VertexId last = none;
+  std::uint32_t of_last = none;
+  for (const Sheet::Element& e : elements.list) {
+    if (e.a != last) of_last = number(last = e.a);
+    *origin++ = of_last;
+    *origin++ = number(e.b);
   }
   for (const VertexId v : points) number(v);
   list.resize(n);
@@ -168,7 +171,7 @@ const Drawing::LoopIds& trace_loops(const Drawing::Rotation& rotation, Drawing::
   auto& of = loops.of;
   std::uint32_t count = 0;
   of.assign(rotation.clockwise.size(), none);
-  for (std::uint32_t h = 0; h < of.size(); ++h) {
+  for (std::uint32_t h = 0, n = static_cast<std::uint32_t>(of.size()); h < n; ++h) {
     if (of[h] != none) continue;
     rotation.visit_loop(h, [&](std::uint32_t g) { of[g] = count; });
     ++count;
@@ -372,9 +375,9 @@ const std::vector<FacetId>& list_covers(const Drawing::Covers& covers, SheetList
 
 void list_facets(const Drawing::LoopIds& loops, const Drawing::Facets& facets, const std::vector<FacetId>& names,
                  Array<FacetId>& list) {
-  const std::size_t begin = list.size();
-  list.resize(begin + loops.of.size());
-  for (std::uint32_t h = 0; h < loops.of.size(); ++h) list[begin + h] = names[facet_left_of(loops, facets, h)];
+  list.resize(list.size() + loops.of.size());
+  auto facet = list.end() - static_cast<std::ptrdiff_t>(loops.of.size());
+  for (const std::uint32_t l : loops.of) *facet++ = names[facets.of_loop[l]];
 }
 
 void list_isolated(const Drawing::Vertices& vertices, const Drawing::Components& components,
