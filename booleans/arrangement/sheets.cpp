@@ -134,6 +134,16 @@ struct Batch {
   Array<Drawn> drawn;
   Array<Open> open;  // sheets that wait for the names of new points
 
+  /// Room for sheets of so many boundary edges and contact segments, of each of which one line of these cuts one face.
+  void reserve(std::size_t sheets, std::size_t edges, std::size_t segments) {
+    const std::size_t elements = edges + segments + 2 * sheets;
+    lists.elements.reserve(elements);
+    lists.clockwise.reserve(2 * elements);
+    lists.facet.reserve(2 * elements);
+    lists.cover_start.reserve(3 * sheets);
+    lists.cover.reserve(2 * sheets);
+    drawn.reserve(sheets);
+  }
   void add(SheetId sheet, const Names& names, Outline& outline, Drawing& drawing) {
     drawn.push_back({sheet, Extent(lists)});
     draw(names, outline, drawing, lists);
@@ -185,6 +195,11 @@ Sheets draw_sheets(const Touched& touched, const Contacts& contacts, Names& name
   Array<Batch> batches((n + length - 1) / length);
   grid::in_stretches(n, length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     Desk& desk = desks.local();
+    std::size_t edges = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      for (const std::uint32_t f : plan.faces[i]) edges += touched.faces[f].edge_count();
+    batches[b].reserve(end - begin, edges, plan.segments.start(end) - plan.segments.start(begin));
+
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
       sheets[i].plane = plan.plane[i];
       OutlineMaker maker(touched, names, plan.plane[i], desk.outline);
