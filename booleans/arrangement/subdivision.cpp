@@ -28,10 +28,6 @@ struct View {
   }
 };
 
-std::uint32_t facet_left_of(const Drawing::LoopIds& loops, const Drawing::Facets& facets, std::uint32_t h) {
-  return facets.of_loop[loops.of[h]];
-}
-
 /// By segment, then along it.
 void sort_splits(const View& view, std::vector<Outline::Split>& splits) {
   std::sort(splits.begin(), splits.end(), [&](const Outline::Split& s, const Outline::Split& t) {
@@ -158,8 +154,8 @@ const Drawing::Rotation& sort_around_vertices(const View& view, const Drawing::V
       around.push_back(h);
       forward += (h & 1) == 0;
     }
-    sort_half(view, std::span(around).first(forward));
-    sort_half(view, std::span(around).subspan(forward));
+    if (forward > 1) sort_half(view, std::span(around).first(forward));
+    if (around.size() - forward > 1) sort_half(view, std::span(around).subspan(forward));
     start = around[0];
     std::uint32_t last = around.back();
     for (const std::uint32_t h : around) clockwise[h] = std::exchange(last, h);
@@ -167,42 +163,27 @@ const Drawing::Rotation& sort_around_vertices(const View& view, const Drawing::V
   return rotation;
 }
 
-const Drawing::LoopIds& trace_loops(const Drawing::Rotation& rotation, Drawing::LoopIds& loops) {
-  auto& of = loops.of;
-  std::uint32_t count = 0;
-  of.assign(rotation.clockwise.size(), none);
-  for (std::uint32_t h = 0, n = static_cast<std::uint32_t>(of.size()); h < n; ++h) {
-    if (of[h] != none) continue;
-    rotation.visit_loop(h, [&](std::uint32_t g) { of[g] = count; });
-    ++count;
-  }
-  loops.count = count;
-  return loops;
-}
-
 /// Of the leftmost vertex of each component all half-edges run forward; the loop that looks outward is that of the last
 /// one, which sees "left".
 const Drawing::Components& find_components(const View& view, const Drawing::Vertices& vertices,
-                                           const Drawing::Rotation& rotation, const Drawing::LoopIds& loops,
-                                           Drawing::Components& components) {
+                                           const Drawing::Rotation& rotation, Drawing::Components& components) {
   auto& list = components.list;
   list.clear();
-  for (std::uint32_t v = 0; v < rotation.first.size(); ++v) {
+  for (std::uint32_t v = 0, n = static_cast<std::uint32_t>(vertices.list.size()); v < n; ++v)
     if (!rotation.has_backward(v)) list.push_back({v, rotation.last(v)});
-  }
   if (list.size() < 2) return components;
+
+  auto& together = components.together;
+  together.reset(vertices.list.size());
+  for (std::size_t h = 0; h < vertices.origin.size(); h += 2)
+    together.unite(vertices.origin[h], vertices.origin[h + 1]);
 
   std::sort(list.begin(), list.end(), [&](const auto& c, const auto& d) {
     return view.before(vertices.list[c.leftmost], vertices.list[d.leftmost]);
   });
-  auto& together = components.together;
-  together.reset(loops.count);
-  for (std::uint32_t h = 0; h < loops.of.size(); h += 2) together.unite(loops.of[h], loops.of[h + 1]);
   auto& listed = components.listed;
-  listed.assign(loops.count, 0);
-  std::erase_if(list, [&](const auto& c) {
-    return c.outward != none && std::exchange(listed[together.find(loops.of[c.outward])], 1) != 0;
-  });
+  listed.assign(vertices.list.size(), 0);
+  std::erase_if(list, [&](const auto& c) { return std::exchange(listed[together.find(c.leftmost)], 1) != 0; });
   return components;
 }
 
@@ -279,24 +260,30 @@ const std::vector<std::uint32_t>& find_elements_below(const View& view, const Dr
   return below;
 }
 
-/// Assigns facets to loops. A component's outward loop belongs to the facet above the element below its leftmost
-/// vertex; every other loop bounds a facet of its own.
-const Drawing::Facets& nest_components(const Drawing::LoopIds& loops, const Drawing::Components& components,
-                                       const std::vector<std::uint32_t>& below, Drawing::Facets& facets) {
-  const auto& list = components.list;
-  facets.count = 1;
-  facets.of_loop.assign(loops.count, none);
-  for (const auto& c : list)
-    if (c.outward != none) facets.of_loop[loops.of[c.outward]] = 0;
-  for (std::uint32_t& f : facets.of_loop)
-    if (f == none) f = facets.count++;
+/// Facets on the left of half-edges. The outward loop of a component belongs to the facet above the element below its
+/// leftmost vertex; every other loop bounds a facet of its own.
+const Drawing::Facets& trace_facets(const Drawing::Rotation& rotation, const Drawing::Components& components,
+                                    const std::vector<std::uint32_t>& below, Drawing::Facets& facets) {
+  auto& of = facets.of;
+  const auto fill_loop = [&](std::uint32_t start, std::uint32_t facet) {
+    rotation.visit_loop(start, [&](std::uint32_t h) { of[h] = facet; });
+  };
+  const auto half_edges = static_cast<std::uint32_t>(rotation.clockwise.size());
+  of.assign(half_edges, none);
+  for (const auto& c : components.list)
+    if (c.outward != none) fill_loop(c.outward, 0);
+
+  std::uint32_t count = 1;
+  for (std::uint32_t h = 0; h < half_edges; ++h)
+    if (of[h] == none) fill_loop(h, count++);
+  facets.count = count;
 
   // From left to right: the element below belongs to a component that is nested already.
-  facets.of_component.assign(list.size(), 0);
-  for (std::size_t c = 0; c < list.size(); ++c) {
+  facets.of_component.assign(components.list.size(), 0);
+  for (std::size_t c = 0; c < below.size(); ++c) {
     if (below[c] == none) continue;
-    facets.of_component[c] = facet_left_of(loops, facets, 2 * below[c]);
-    if (list[c].outward != none) facets.of_loop[loops.of[list[c].outward]] = facets.of_component[c];
+    const std::uint32_t around = facets.of_component[c] = of[2 * below[c]];
+    if (const std::uint32_t h = components.list[c].outward; h != none && around != 0) fill_loop(h, around);
   }
   return facets;
 }
@@ -341,9 +328,9 @@ const Drawing::Covers& cover_facets(const Outline& outline, const Drawing& drawi
     while (!stack.empty() && covered < facets.count) {
       const std::uint32_t start = stack.back();
       stack.pop_back();
-      const auto from = of[facet_left_of(drawing.loops, facets, start)];
+      const auto from = of[facets.of[start]];
       drawing.rotation.visit_loop(start, [&](std::uint32_t h) {
-        const std::uint32_t to = facet_left_of(drawing.loops, facets, h ^ 1);
+        const std::uint32_t to = facets.of[h ^ 1];
         if (of[to][0] != none) return;
         of[to] = cross(outline, drawing, h, from, covers.list);
         stack.push_back(h ^ 1);
@@ -373,11 +360,10 @@ const std::vector<FacetId>& list_covers(const Drawing::Covers& covers, SheetList
   return names;
 }
 
-void list_facets(const Drawing::LoopIds& loops, const Drawing::Facets& facets, const std::vector<FacetId>& names,
-                 Array<FacetId>& list) {
-  list.resize(list.size() + loops.of.size());
-  auto facet = list.end() - static_cast<std::ptrdiff_t>(loops.of.size());
-  for (const std::uint32_t l : loops.of) *facet++ = names[facets.of_loop[l]];
+void list_facets(const Drawing::Facets& facets, const std::vector<FacetId>& names, Array<FacetId>& list) {
+  list.resize(list.size() + facets.of.size());
+  auto facet = list.end() - static_cast<std::ptrdiff_t>(facets.of.size());
+  for (const std::uint32_t f : facets.of) *facet++ = names[f];
 }
 
 void list_isolated(const Drawing::Vertices& vertices, const Drawing::Components& components,
@@ -401,15 +387,14 @@ void draw(const Names& names, Outline& outline, Drawing& drawing, SheetLists& li
   lists.clockwise.resize(lists.clockwise.size() + elements.half_edges());
   const auto clockwise = std::span(lists.clockwise).last(elements.half_edges());
   const auto& rotation = sort_around_vertices(view, vertices, clockwise, drawing.rotation);
-  const auto& loops = trace_loops(rotation, drawing.loops);
 
-  const auto& components = find_components(view, vertices, rotation, loops, drawing.components);
+  const auto& components = find_components(view, vertices, rotation, drawing.components);
   const auto& below = find_elements_below(view, vertices, rotation, components, drawing.below);
-  const auto& facets = nest_components(loops, components, below, drawing.facets);
+  const auto& facets = trace_facets(rotation, components, below, drawing.facets);
   const auto& covers = cover_facets(outline, drawing, drawing.covers);
 
   const auto& facet_names = list_covers(covers, lists, drawing.names);
-  list_facets(loops, facets, facet_names, lists.facet);
+  list_facets(facets, facet_names, lists.facet);
   list_isolated(vertices, components, facets, facet_names, lists.isolated);
 }
 

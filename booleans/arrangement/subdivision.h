@@ -62,10 +62,6 @@ struct Drawing {
       } while (h != start);
     }
   };
-  struct LoopIds {
-    std::vector<std::uint32_t> of;  // by half-edge
-    std::uint32_t count = 0;
-  };
   /// Connected pieces of the drawing, from left to right.
   struct Components {
     struct Component {
@@ -78,7 +74,8 @@ struct Drawing {
   };
   /// Facet 0 is the unbounded one.
   struct Facets {
-    std::vector<std::uint32_t> of_loop, of_component;  // the facet around each component
+    std::vector<std::uint32_t> of;            // by half-edge: the one on its left
+    std::vector<std::uint32_t> of_component;  // the one around each component
     std::uint32_t count = 0;
   };
   /// The faces that cover each facet, in order.
@@ -96,7 +93,6 @@ struct Drawing {
   Elements elements;
   Vertices vertices;
   Rotation rotation;
-  LoopIds loops;
   Components components;
   std::vector<std::uint32_t> below;  // by component: the element below its leftmost vertex, or none
   Facets facets;
