@@ -187,37 +187,46 @@ const Drawing::Components& find_components(const View& view, const Drawing::Vert
   return components;
 }
 
-/// A place among the elements that a vertical line crosses. Where an element ends, one that begins takes its place.
+/// A chain that a vertical line crosses, at one of its half-edges, which run forward. Where a chain ends, one that
+/// begins takes its place.
 struct Crossed {
-  mutable std::uint32_t element;
+  mutable std::uint32_t half_edge;
 };
 
-/// The sweep's order of them from below, and of a vertex among them: no two elements cross.
+/// The sweep's order of chains from below, and of a vertex among them: no two elements cross.
 struct Lower {
   using is_transparent = void;
   const View& view;
+  const Drawing::Rotation& rotation;
 
-  bool operator()(Crossed c, Crossed d) const {
-    const auto &p = view.elements.list[c.element], &q = view.elements.list[d.element];
-    if (p.a == q.a) return view.above(q.b, c.element) > 0;
-    if (view.before(p.a, q.a)) return view.above(q.a, c.element) > 0;
-    return view.above(p.a, d.element) < 0;
+  /// The chain's element that the line through a vertex crosses; the line moves to the right.
+  std::uint32_t element_at(const Crossed& c, VertexId v) const {
+    while (view.before(view.elements.origin(c.half_edge ^ 1), v)) c.half_edge = rotation.onward(c.half_edge);
+    return c.half_edge / 2;
   }
-  bool operator()(Crossed c, VertexId v) const { return view.above(v, c.element) > 0; }
-  bool operator()(VertexId v, Crossed c) const { return view.above(v, c.element) < 0; }
+  bool operator()(const Crossed& c, const Crossed& d) const {
+    const VertexId p = view.elements.origin(c.half_edge), q = view.elements.origin(d.half_edge);
+    if (p == q) return view.above(view.elements.origin(d.half_edge ^ 1), c.half_edge / 2) > 0;
+    return view.before(p, q) ? (*this)(c, q) : (*this)(p, d);
+  }
+  bool operator()(const Crossed& c, VertexId v) const { return view.above(v, element_at(c, v)) > 0; }
+  bool operator()(VertexId v, const Crossed& c) const { return view.above(v, element_at(c, v)) < 0; }
 };
 
-/// Looks up places only where nothing ends, which is so at each component's leftmost vertex.
+/// One sweep over the vertices in which chains begin or end. It looks up places only where none ends, which is so at
+/// each component's leftmost vertex.
 void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::Rotation& rotation,
            const Drawing::Components& components, std::vector<std::uint32_t>& below) {
-  std::vector<std::uint32_t> order(vertices.list.size());
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = 0; v < vertices.list.size(); ++v)
+    if (!rotation.is_within_chain(v)) order.push_back(v);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t v, std::uint32_t w) { return view.before(vertices.list[v], vertices.list[w]); });
 
   using Status = std::multiset<Crossed, Lower>;
-  Status status(Lower{view});
-  std::vector<Status::iterator> place(view.elements.list.size()), ended;
+  const Lower lower{view, rotation};
+  Status status(lower);
+  std::vector<Status::iterator> place(view.elements.list.size()), ended;  // by the last element of a chain
   std::size_t c = 0;
   for (const std::uint32_t v : order) {
     Status::iterator at;
@@ -225,7 +234,7 @@ void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::R
       at = status.lower_bound(vertices.list[v]);
       if (c < below.size() && components.list[c].leftmost == v) {
         // The highest element below v: the last one that v is above. Nothing passes through the vertex.
-        if (at != status.begin()) below[c] = std::prev(at)->element;
+        if (at != status.begin()) below[c] = lower.element_at(*std::prev(at), vertices.list[v]);
         ++c;
       }
     }
@@ -237,13 +246,13 @@ void sweep(const View& view, const Drawing::Vertices& vertices, const Drawing::R
         return;
       }
       if (ended.empty()) {
-        at = status.insert(at, Crossed{h / 2});
+        at = status.insert(at, Crossed{h});
       } else {
         at = ended.back();
-        at->element = h / 2;
+        at->half_edge = h;
         ended.pop_back();
       }
-      place[h / 2] = at;
+      place[rotation.end_of_chain(h) / 2] = at;
     });
     for (const Status::iterator i : ended) status.erase(i);
     ended.clear();

@@ -42,6 +42,20 @@ struct Drawing {
       const std::uint32_t h = last(vertex);
       return h != none && (h & 1);
     }
+    /// Chains run forward from half-edge to half-edge, through vertices in which one element ends and one begins.
+    bool is_within_chain(std::uint32_t vertex) const {
+      const std::uint32_t h = first[vertex];
+      return h != none && !(h & 1) && (clockwise[h] & 1) && clockwise[clockwise[h]] == h;
+    }
+    /// The next one of the chain after one that runs forward, none at its end.
+    std::uint32_t onward(std::uint32_t h) const {
+      const std::uint32_t g = clockwise[h ^ 1];
+      return !(g & 1) && clockwise[g] == (h ^ 1) ? g : none;
+    }
+    std::uint32_t end_of_chain(std::uint32_t h) const {
+      for (std::uint32_t g; (g = onward(h)) != none;) h = g;
+      return h;
+    }
     /// Clockwise from "straight down".
     template <class Visit>
     void visit_around(std::uint32_t vertex, Visit visit) const {
