@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "exact/rational.h"
@@ -49,6 +50,32 @@ TEST(Subdivision, PlateWithAHole) {
                                                                "    (4, 3, 0) -> (3, 4, 0)",
                                                                "  point (1, 1, 0) in facet 0",
                                                            }));
+}
+
+// An arch between two chains of many elements, y = x (24 - x) and nine more, on a plate that covers everything: points
+// below it, within it and above it, where the chains turn and between.
+TEST(Subdivision, PointsBelowAndAboveLongChains) {
+  const auto height = [](std::int64_t x) { return x * (24 - x); };
+  Sketch::Loop arch;
+  for (std::int64_t x = 0; x <= 24; x += 2) arch.push_back({x, height(x)});
+  for (std::int64_t x = 24; x >= 0; x -= 2) arch.push_back({x, height(x) + 9});
+
+  Sketch sketch;
+  sketch.add_face({{{-9, -9}, {30, -9}, {30, 200}, {-9, 200}}}, true);
+  sketch.add_face({arch}, false);
+  std::map<RationalPlace, std::size_t> covers;
+  for (const std::int64_t x : {1, 13, 14, 22})
+    for (const std::int64_t above : {-4, 4, 12}) {
+      sketch.add_point({x, height(x) + above});
+      covers[{x, height(x) + above}] = above == 4 ? 2 : 1;
+    }
+
+  const Sheets sheets = sketch.sheets();
+  const Sheet& sheet = sheets[SheetId(0)];
+  EXPECT_EQ(sheet.facet_count(), 2u);
+  std::map<RationalPlace, std::size_t> found;
+  for (const Sheet::Isolated& i : sheet.isolated) found[sketch.place(i.vertex)] = sheet.covers(i.facet).size();
+  EXPECT_EQ(found, covers);
 }
 
 Rational dot(const RationalPlace& p, const RationalPlace& q) { return p[0] * q[0] + p[1] * q[1]; }
