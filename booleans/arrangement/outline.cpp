@@ -141,11 +141,12 @@ void OutlineMaker::draw_lone_face(TouchedId face, std::span<const ContactSegment
     if (s.at_b != inside_face) outline_.splits.push_back({s.at_b - first_edge, s.b});
   }
 
-  for (std::uint32_t i = 0; i < edges; ++i) {
-    outline_.change_start.push_back(i);
-    outline_.changes.push_back({face, outline_.segments[i].change});
-  }
   outline_.change_start.resize(outline_.segments.size() + 1, edges);
+  outline_.changes.resize(edges);
+  for (std::uint32_t i = 0; i < edges; ++i) {
+    outline_.change_start[i] = i;
+    outline_.changes[i] = {face, outline_.segments[i].change};
+  }
 
   const auto other = [&](std::uint32_t i) { return all[segments[i - edges]].other.value; };
   const bool is_one = std::all_of(segments.begin(), segments.end(),
