@@ -20,8 +20,8 @@ struct View {
     const PlaneId line = elements.list[e].line;
     return -outline.frame.direction(names.planes[outline.plane], names.planes[line]) * names.side(v, line);
   }
-  /// Precondition: half-edges that run forward both, or backward both, from one vertex. Is g below h on the right side
-  /// of the vertex, or above h on the left side? Each of them spans less than a straight angle.
+  /// Of two half-edges of one vertex that run forward both, or backward both: does g come first counter-clockwise from
+  /// straight down? They span less than a straight angle, so it does when h ends on its left.
   bool earlier_around(std::uint32_t g, std::uint32_t h) const {
     const int up = above(elements.origin(h ^ 1), g / 2);
     return (g & 1 ? -up : up) > 0;
@@ -122,22 +122,27 @@ void sort_half(const View& view, std::span<std::uint32_t> half) {
   }
 }
 
-/// Counter-clockwise from straight down: first the half-edges that run forward (to the right), then the others.
-const Drawing::Rotation& sort_around_vertices(const View& view, const Drawing::Vertices& vertices,
-                                              std::span<std::uint32_t> clockwise, Drawing::Rotation& rotation) {
+/// The half-edges of each vertex as lists: those that run forward (to the right), then the others.
+void list_around_vertices(const Drawing::Vertices& vertices, Drawing::Rotation& rotation) {
   auto& first = rotation.first;
   auto& next = rotation.next;
   const auto& origin = vertices.origin;
   const auto half_edges = static_cast<std::uint32_t>(origin.size());
-  rotation.clockwise = clockwise;
-
   first.assign(vertices.list.size(), none);
   next.resize(half_edges);
   for (std::uint32_t h = half_edges; h > 0; h -= 2) next[h - 1] = std::exchange(first[origin[h - 1]], h - 1);
   for (std::uint32_t h = half_edges; h > 0; h -= 2) next[h - 2] = std::exchange(first[origin[h - 2]], h - 2);
+}
 
+/// Counter-clockwise from straight down those that run forward come first.
+const Drawing::Rotation& sort_around_vertices(const View& view, const Drawing::Vertices& vertices,
+                                              std::span<std::uint32_t> clockwise, Drawing::Rotation& rotation) {
+  list_around_vertices(vertices, rotation);
+  rotation.clockwise = clockwise;
+
+  const auto& next = rotation.next;
   auto& around = rotation.around;
-  for (std::uint32_t& start : first) {
+  for (std::uint32_t& start : rotation.first) {
     if (start == none) continue;
     const std::uint32_t second = next[start];
     if (second != none && next[second] == none) {

@@ -19,7 +19,7 @@ struct Drawing {
   };
   /// Equal pieces of overlapping segments are one element.
   struct Elements {
-    std::span<const Sheet::Element> list;    // those of the sheet, by (a, b)
+    std::span<const Sheet::Element> list;    // in the sheet's lists, by (a, b)
     std::vector<std::uint32_t> first_piece;  // element e is pieces[first_piece[e]] .. pieces[first_piece[e + 1] - 1]
 
     std::uint32_t half_edges() const { return static_cast<std::uint32_t>(2 * list.size()); }
@@ -33,10 +33,11 @@ struct Drawing {
   };
   /// Half-edges around each vertex.
   struct Rotation {
-    std::span<std::uint32_t> clockwise;  // by half-edge: that of the sheet
+    std::span<std::uint32_t> clockwise;  // by half-edge, in the sheet's lists
     std::vector<std::uint32_t> first;    // by vertex: the first one counter-clockwise from "straight down", or none
     std::vector<std::uint32_t> next, around;  // memory of the step
 
+    /// The last one, none of a vertex alone.
     std::uint32_t last(std::uint32_t vertex) const { return first[vertex] == none ? none : clockwise[first[vertex]]; }
     bool has_backward(std::uint32_t vertex) const {
       const std::uint32_t h = last(vertex);
@@ -56,7 +57,7 @@ struct Drawing {
       for (std::uint32_t g; (g = onward(h)) != none;) h = g;
       return h;
     }
-    /// Clockwise from "straight down".
+    /// The half-edges of a vertex, the last one first.
     template <class Visit>
     void visit_around(std::uint32_t vertex, Visit visit) const {
       const std::uint32_t start = first[vertex];
