@@ -124,20 +124,12 @@ void copy_raw(Making& m) {
 
 namespace {
 
-bool is_turned(const Making& m, OperandId o, std::uint32_t face) { return m.kept(m.a.operands.face(o, face)) < 0; }
-
-exact::Plane kept_plane(const Making& m, OperandId o, std::uint32_t face) {
-  const Body& body = m.a.operands[o];
-  const exact::Plane& plane = body.planes[body.polygon(face)];
-  return is_turned(m, o, face) ? plane.opposite() : plane;
-}
-
 /// Adds every loop of a polygon that stays to `loops`, turned as it stays, with its corners as corner_of(v).
 template <class Loops, class CornerOf>
-void add_kept_loops(const Making& m, OperandId o, std::uint32_t face, CornerOf corner_of, Loops& loops) {
-  const Body& body = m.a.operands[o];
-  const bool turned = is_turned(m, o, face);
-  body.polygons.for_loops(body.polygon(face), [&](std::span<const std::uint32_t> loop) {
+void add_kept_loops(const Making& m, const OwnPolygon& p, CornerOf corner_of, Loops& loops) {
+  const Body& body = m.a.operands[p.operand];
+  const bool turned = m.kept(m.a.operands.face(p.operand, p.face)) < 0;
+  body.polygons.for_loops(body.polygon(p.face), [&](std::span<const std::uint32_t> loop) {
     for (std::size_t i = 0; i < loop.size(); ++i)
       loops.corners.push_back(corner_of(loop[turned ? loop.size() - 1 - i : i]));
     loops.end_loop();
@@ -163,21 +155,17 @@ bool copied_whole(Making& m, const OperandChunk& c) {
   return true;
 }
 
-struct Polygon {
-  OperandId operand;
-  std::uint32_t face;
-};
-
 /// Copies a polygon that stays; one with a vertex in the table is listed instead.
-void copy_polygon(Making& m, OperandId o, std::uint32_t face, Array<Polygon>& near) {
+void copy_polygon(Making& m, const OwnPolygon& p) {
+  const auto& [o, face] = p;
   const auto corners = m.a.operands[o].corners_of(face);
-  if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return m.vertices.in_table(o, v); })) {
-    near.push_back({o, face});
+  if (std::any_of(corners.begin(), corners.end(), [&, o = o](std::uint32_t v) { return m.vertices.in_table(o, v); })) {
+    m.waiting.push_back(p);
     return;
   }
   add_kept_loops(
-      m, o, face, [&](std::uint32_t v) { return m.corner(m.vertices.named(o, v)); }, m.body.polygons);
-  m.close_polygon(kept_plane(m, o, face));
+      m, p, [&, o = o](std::uint32_t v) { return m.corner(m.vertices.named(o, v)); }, m.body.polygons);
+  m.close_polygon(m.kept_plane(p));
 }
 
 }  // namespace
@@ -192,23 +180,22 @@ void name_spared(Making& m) {
 }
 
 void copy_polygons(Making& m) {
-  Array<Polygon> near;
   for (const OperandChunk& c : m.a.operands.chunks) {
     if (c.operand == m.host || is_raw(m.a.operands, c)) continue;
     const auto first = static_cast<std::uint32_t>(m.body.planes.size());
     if (!copied_whole(m, c))
       for (const FaceId f : Ids<FaceId>(c.begin, c.end))
-        if (m.kept(f) != 0) copy_polygon(m, c.operand, m.a.operands.own(c.operand, f), near);
+        if (m.kept(f) != 0) copy_polygon(m, {c.operand, m.a.operands.own(c.operand, f)});
     keep_chunk(m.polygon_chunks, first, static_cast<std::uint32_t>(m.body.planes.size()), c.box);
   }
   m.listed_polygons = static_cast<std::uint32_t>(m.body.planes.size());
 
   for (const std::uint32_t f : m.changed)
-    if (f >= m.a.operands[m.host].triangles.size()) copy_polygon(m, m.host, f, near);
-  for (const auto& [o, face] : near) {
+    if (f >= m.a.operands[m.host].triangles.size()) copy_polygon(m, {m.host, f});
+  for (const OwnPolygon& p : m.waiting) {
     add_kept_loops(
-        m, o, face, [&, o = o](std::uint32_t v) { return m.vertices.place(o, v); }, m.waiting.loops);
-    m.waiting.close(kept_plane(m, o, face));
+        m, p, [&](std::uint32_t v) { return m.vertices.place(p.operand, v); }, m.waiting_loops);
+    m.waiting_loops.end_face();
   }
 }
 

@@ -3,77 +3,35 @@
 namespace quoin::booleans {
 namespace {
 
-/// Adds the merged regions of all sheets to what waits.
-void add_regions(Making& m) {
-  const Regions<VertexId> merged = merged_regions(m.a, m.selection);
-  m.waiting.reserve(merged.size(), merged.loops.loop_count(), merged.loops.corners.size());
-  for (const auto& [region, face] : merged.spared) m.waiting.spared.push_back({m.waiting.size() + region, face});
-  for (std::size_t i = 0; i < merged.size(); ++i) {
-    merged.loops.for_loops(i, [&](std::span<const VertexId> loop) {
-      for (const VertexId v : loop) m.waiting.loops.corners.push_back(m.vertices.place_of_table(v));
-      m.waiting.loops.end_loop();
-    });
-    m.waiting.close(merged.planes[i]);
+/// Tells each vertex on a loop of at least two corners its neighbours there.
+template <class Corner>
+void note_neighbours(ResultVertices& vertices, const grid::Loops<Corner>& loops) {
+  for (std::size_t j = 0; j < loops.loop_count(); ++j) {
+    const auto loop = loops.loop(j);
+    if (loop.size() == 1) continue;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      vertices.add_neighbours(vertices.place(loop[i]), vertices.place(loop[grid::previous_in_loop(i, loop.size())]),
+                              vertices.place(loop[grid::next_in_loop(i, loop.size())]));
   }
 }
 
-void add_neighbour(ResultVertices::Place& place, PlaceId q) {
-  place.used = true;
-  auto& n = place.neighbours;
-  if (n[0] == none || n[0] == q)
-    n[0] = q;
-  else if (n[1] == none || n[1] == q)
-    n[1] = q;
-  else
-    place.fixed = true;
-}
-
-/// A vertex with exactly two neighbours lies inside a straight edge: at least two faces that are not coplanar pass
-/// through both of its edges, so both lie on the line of their planes.
-Regions<PlaceId> without_straight_vertices(Making& m) {
-  auto& places = m.vertices.places();
-  for (std::size_t r = 0; r < m.waiting.size(); ++r)
-    m.waiting.loops.for_edges(r, [&](PlaceId p, PlaceId q) {
-      add_neighbour(places[p], q);
-      add_neighbour(places[q], p);
-    });
-
-  Regions<PlaceId> kept;
-  kept.reserve(m.waiting.size(), m.waiting.loops.loop_count(), m.waiting.loops.corners.size());
-  for (std::size_t r = 0; r < m.waiting.size(); ++r) {
-    m.waiting.loops.for_loops(r, [&](std::span<const PlaceId> loop) {
-      const std::size_t before = kept.loops.corners.size();
-      for (const PlaceId p : loop)
-        if (loop.size() == 1 ? places[p].used : places[p].fixed) kept.loops.corners.push_back(p);
-      if (kept.loops.corners.size() > before) kept.loops.end_loop();
-    });
-    kept.close(m.waiting.planes[r]);
+/// Room for what waits and for the regions, and for the derived points that they need.
+void reserve(Making& m, const Array<Regions>& regions) {
+  std::size_t faces = m.waiting.size(), loops = m.waiting_loops.loop_count(), corners = m.waiting_loops.corners.size();
+  for (const Regions& r : regions) {
+    faces += r.size();
+    loops += r.loops.loop_count();
+    corners += r.loops.corners.size();
   }
-  kept.spared = std::move(m.waiting.spared);
-  return kept;
-}
+  std::size_t points = 0;
+  for (const PlaceId p : Ids<PlaceId>(m.vertices.place_count()))
+    points += m.vertices.is_needed(p) && !m.vertices.is_grid(p);
 
-/// Gives the places that regions have their ids, grid points first.
-ById<PlaceId, std::uint32_t> numbered(Making& m, const Regions<PlaceId>& regions) {
-  auto& places = m.vertices.places();
-  ById<PlaceId, std::uint32_t> id(places.size(), none);
-  ById<PlaceId, std::uint8_t> needed(places.size());
-  for (const PlaceId p : regions.loops.corners) needed[p] = 1;
-  if (m.host == none) {
-    std::size_t derived = 0;
-    for (const PlaceId i : Ids<PlaceId>(places.size())) derived += needed[i] && !m.vertices.is_grid(places[i]);
-    m.body.points.reserve(m.body.points.size() + derived);
-  }
-
-  for (const bool grid : {true, false})
-    for (const PlaceId i : Ids<PlaceId>(places.size())) {
-      const ResultVertices::Place& p = places[i];
-      if (!needed[i] || m.vertices.is_grid(p) != grid) continue;
-      ResultName name = m.vertices.known_name(p);
-      if (name.is_none()) name = m.vertices.add_point(p);
-      id[i] = m.final_id(name);
-    }
-  return id;
+  Body& body = m.body;
+  body.points.reserve(body.points.size() + points);
+  body.planes.reserve(body.planes.size() + faces);
+  body.polygons.reserve(body.polygon_count() + faces, body.polygons.loop_count() + loops,
+                        body.polygons.corners.size() + corners);
 }
 
 /// Writes the spared loops of a touched face as loops of a region with that plane.
@@ -83,7 +41,7 @@ void write_spared(Making& m, TouchedId face, const exact::Plane& plane) {
   const auto& from = m.a.operands[f.operand].polygons;
   auto& to = m.body.polygons;
   const bool is_host = f.operand == m.host;
-  const auto id = [&](std::uint32_t v) { return is_host ? m.host_id(v) : m.final_id(m.vertices.named(f.operand, v)); };
+  const auto id = [&](std::uint32_t v) { return is_host ? m.host_id(v) : m.corner(m.vertices.named(f.operand, v)); };
 
   if (exact::is_canonical(plane) == f.along) {
     for (std::size_t i = 0, next = 0; i < loops.size(); i = next) {
@@ -99,57 +57,99 @@ void write_spared(Making& m, TouchedId face, const exact::Plane& plane) {
   }
 }
 
-/// The box of the corners from one on.
-Box box_of_corners(const Body& body, std::size_t first) {
-  Box box;
-  for (std::size_t i = first; i < body.polygons.corners.size(); ++i) body.add_to(box, body.polygons.corners[i]);
-  return box;
-}
+/// Writes faces one after the other, without vertices inside straight edges. New points get their names as they come.
+class Writer {
+ public:
+  explicit Writer(Making& m) : m_(m) {}
 
-/// Writes regions as faces; triangles between grid points are raw.
-void write(Making& m, const Regions<PlaceId>& regions, const ById<PlaceId, std::uint32_t>& id) {
-  Body& body = m.body;
-  const auto grid_count = static_cast<std::uint32_t>(body.grid_points.size());
-  if (m.host == none) {
-    body.planes.reserve(body.planes.size() + regions.size());
-    body.polygons.reserve(body.planes.size() + regions.size(), body.polygons.loop_count() + regions.loops.loop_count(),
-                          body.polygons.corners.size() + regions.loops.corners.size());
+  /// Writes face i of some loops, on that plane, and with it the spared loops of touched faces. A triangle between grid
+  /// points is raw.
+  template <class Corner>
+  void write(const grid::Loops<Corner>& from, std::size_t i, const exact::Plane& plane,
+             std::span<const SparedRegion> spared = {}) {
+    gather(from, i);
+    if (spared.empty() && is_raw()) {
+      m_.body.triangles.push_back({corners_[0].index(), corners_[1].index(), corners_[2].index()});
+      return;
+    }
+
+    add_loops();
+    if (!spared.empty()) {
+      // The outer loop is drawn.
+      const auto polygon = static_cast<std::uint32_t>(m_.body.planes.size());
+      m_.spared_chunks.push_back({polygon, polygon + 1, box()});
+    }
+    for (const SparedRegion& s : spared) write_spared(m_, s.face, plane);
+    m_.close_polygon(plane);
   }
+
+ private:
+  template <class Corner>
+  void gather(const grid::Loops<Corner>& from, std::size_t i) {
+    corners_.clear();
+    ends_.clear();
+    from.for_loops(i, [&](std::span<const Corner> loop) {
+      const std::size_t before = corners_.size();
+      for (const Corner c : loop) {
+        const PlaceId p = m_.vertices.place(c);
+        if (loop.size() == 1 ? m_.vertices.is_used(p) : m_.vertices.is_needed(p))
+          corners_.push_back(m_.vertices.named(p));
+      }
+      if (corners_.size() > before) ends_.push_back(corners_.size());
+    });
+  }
+
+  bool is_raw() const {
+    return ends_.size() == 1 && corners_.size() == 3 &&
+           std::none_of(corners_.begin(), corners_.end(), [](ResultName n) { return n.is_derived(); });
+  }
+  void add_loops() {
+    auto& to = m_.body.polygons;
+    const auto shift = static_cast<std::uint32_t>(to.corners.size());
+    const auto corners = to.corners.grow(corners_.size());
+    std::transform(corners_.begin(), corners_.end(), corners.begin(), [&](ResultName n) { return m_.corner(n); });
+    for (const std::size_t end : ends_) to.loop_start.push_back(shift + static_cast<std::uint32_t>(end));
+  }
+  Box box() const {
+    Box box;
+    for (const ResultName n : corners_)
+      if (n.is_derived())
+        box.add_around(m_.body.points[n.index()].approximation);
+      else
+        box.add(m_.body.grid_points[n.index()]);
+    return box;
+  }
+
+  Making& m_;
+  Array<ResultName> corners_;  // of one face
+  Array<std::size_t> ends_;    // of its loops
+};
+
+void write_regions(const Making& m, const Regions& regions, Writer& writer) {
   auto spared = regions.spared.begin();
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const auto corners = regions.loops.corners_of(i);
-    const bool is_whole = spared == regions.spared.end() || spared->region != i;
-    if (is_whole && regions.loops.loop_count(i) == 1 && corners.size() == 3 &&
-        std::all_of(corners.begin(), corners.end(), [&](PlaceId p) { return id[p] < grid_count; })) {
-      body.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
-      continue;
-    }
-    const std::size_t first = body.polygons.corners.size();
-    regions.loops.for_loops(i, [&](std::span<const PlaceId> loop) {
-      for (const PlaceId p : loop) body.polygons.corners.push_back(id[p]);
-      body.polygons.end_loop();
-    });
-    if (!is_whole) {
-      // The outer loop is drawn.
-      const auto polygon = static_cast<std::uint32_t>(body.planes.size());
-      m.spared_chunks.push_back({polygon, polygon + 1, box_of_corners(body, first)});
-    }
-    for (; spared != regions.spared.end() && spared->region == i; ++spared)
-      write_spared(m, spared->face, regions.planes[i]);
-    m.close_polygon(regions.planes[i]);
+    const auto first = spared;
+    while (spared != regions.spared.end() && spared->region == i) ++spared;
+    const auto& [id, turned] = regions.planes[i];
+    const exact::Plane& plane = m.a.names.planes[id];
+    writer.write(regions.loops, i, turned ? plane.opposite() : plane, {first, spared});
   }
 }
 
 }  // namespace
 
 void join_regions(Making& m) {
-  add_regions(m);
-  const Regions<PlaceId> regions = without_straight_vertices(m);
-  const auto id = numbered(m, regions);
+  const Array<Regions> merged = merged_regions(m.a, m.selection);
+  note_neighbours(m.vertices, m.waiting_loops);
+  for (const Regions& r : merged) note_neighbours(m.vertices, r.loops);
+  if (m.host == none) reserve(m, merged);
 
-  if (m.host == none)
+  Writer writer(m);
+  for (std::size_t i = 0; i < m.waiting.size(); ++i) writer.write(m.waiting_loops, i, m.kept_plane(m.waiting[i]));
+  for (const Regions& r : merged) write_regions(m, r, writer);
+
+  if (m.host == none && !m.body.points.empty())
     for (std::uint32_t& c : m.body.polygons.corners.edit()) c = m.final_id(ResultName::of_corner(c));
-  write(m, regions, id);
 }
 
 }  // namespace quoin::booleans

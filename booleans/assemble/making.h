@@ -7,14 +7,21 @@
 
 namespace quoin::booleans {
 
+/// A polygon of an operand.
+struct OwnPolygon {
+  OperandId operand;
+  std::uint32_t face;
+};
+
 struct Making {
   const Arrangement& a;
   const Selection& selection;
   OperandId host;  // whose lists the body shares, none when it shares none
   Body body;
   ResultVertices vertices;
-  /// Faces that wait until all are known.
-  Regions<PlaceId> waiting;
+  /// Copied polygons that wait until all faces are known, turned as they stay.
+  Array<OwnPolygon> waiting;
+  grid::Loops<PlaceId> waiting_loops;
   /// Untouched faces of the host that stay, but not as they are; own numbers.
   Array<std::uint32_t> changed;
   /// Of copied faces; polygons count from the first polygon.
@@ -32,6 +39,11 @@ struct Making {
   int kept(FaceId f) const {
     const NodeId patch = a.patches().of[f];
     return patch == none ? 0 : selection.kept[patch];
+  }
+  /// The plane of an untouched polygon, turned as it stays.
+  exact::Plane kept_plane(const OwnPolygon& p) const {
+    const exact::Plane plane = a.operands[p.operand].plane(p.face);
+    return kept(a.operands.face(p.operand, p.face)) < 0 ? plane.opposite() : plane;
   }
   /// The id of a vertex. Precondition: all grid points are there, or the body has room for them.
   std::uint32_t final_id(ResultName name) const {
@@ -72,7 +84,7 @@ void name_spared(Making& m);
 /// Copies the untouched polygons that have no vertex in the table; the others wait.
 void copy_polygons(Making& m);
 
-/// Adds the regions of the sheets to what waits, drops vertices inside straight edges, and writes all that waits.
+/// Writes the polygons that wait and the regions of the sheets, without vertices inside straight edges.
 void join_regions(Making& m);
 
 }  // namespace quoin::booleans

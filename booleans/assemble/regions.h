@@ -14,33 +14,20 @@ struct SparedRegion {
 };
 
 /// Polygons in the making, one after the other.
-template <class Corner>
 struct Regions {
-  Array<exact::Plane> planes;  // one a region, outwards
-  grid::Loops<Corner> loops;
+  struct Plane {
+    PlaneId id;
+    bool turned;  // the outward normal is opposite to the canonical one
+  };
+  grid::Loops<VertexId> loops;
+  Array<Plane> planes;         // one a region
   Array<SparedRegion> spared;  // by region
 
   std::size_t size() const { return planes.size(); }
-  /// The loops that were added since the last region make one.
-  void close(const exact::Plane& plane) {
-    planes.push_back(plane);
-    loops.end_face();
-  }
-  /// Room for all regions of other lists, too.
-  void reserve(std::size_t regions, std::size_t loop_count, std::size_t corners) {
-    planes.reserve(size() + regions);
-    loops.reserve(size() + regions, loops.loop_count() + loop_count, loops.corners.size() + corners);
-  }
-  /// Adds the regions of another list.
-  void append(const Regions& more) {
-    for (const SparedRegion& s : more.spared) spared.push_back({size() + s.region, s.face});
-    loops.append(more.loops);
-    planes.insert(planes.end(), more.planes.begin(), more.planes.end());
-  }
 };
 
 /// Kept facets of each sheet that hang together over elements at which exactly two kept facets meet. A loop of one
-/// corner is a vertex inside the region. Regions come in the order of the sheets.
-Regions<VertexId> merged_regions(const Arrangement& a, const Selection& selection);
+/// corner is a vertex inside the region. Regions come in the order of the sheets, list by list.
+Array<Regions> merged_regions(const Arrangement& a, const Selection& selection);
 
 }  // namespace quoin::booleans

@@ -6,9 +6,8 @@ ResultVertices::ResultVertices(const Arrangement& a, OperandId host, Body& body)
     : a_(a),
       host_(host),
       body_(body),
-      place_of_table_(a.names.vertices.size()),
-      name_of_table_(a.names.vertices.size()),
-      place_(a.operands.bodies.size()),
+      places_(a.names.vertices.size()),
+      place_of_(a.operands.bodies.size()),
       own_names_(a.operands.bodies.size()) {
   for (const OperandId o : a.operands.ids()) {
     if (o == host) continue;
@@ -30,7 +29,7 @@ ResultName ResultVertices::name_in_host(std::uint32_t v) const {
 /// A vertex of the host has its own name; that is known to the table from now on.
 ResultName ResultVertices::host_name(std::uint32_t v) {
   const ResultName name = name_in_host(v);
-  if (in_table(host_, v)) name_of_table_[table_vertex(host_, v)] = name;
+  if (in_table(host_, v)) places_[place(table_vertex(host_, v))].name = name;
   return name;
 }
 
@@ -42,8 +41,8 @@ ResultName ResultVertices::named(OperandId operand, std::uint32_t v) {
 
 ResultName ResultVertices::new_name(OperandId operand, std::uint32_t v) {
   const bool is_in_table = in_table(operand, v);
-  if (is_in_table && !name_of_table_[table_vertex(operand, v)].is_none())
-    return name_of_table_[table_vertex(operand, v)];
+  if (is_in_table)
+    if (const ResultName known = name_of_table(table_vertex(operand, v)); !known.is_none()) return known;
 
   const Body& body = a_.operands[operand];
   ResultName name;
@@ -56,49 +55,63 @@ ResultName ResultVertices::new_name(OperandId operand, std::uint32_t v) {
   }
 
   if (is_in_table)
-    name_of_table_[table_vertex(operand, v)] = name;
+    places_[place(table_vertex(operand, v))].name = name;
   else
     own_names_[operand][v] = name.as_corner();
   return name;
 }
 
-PlaceId ResultVertices::new_place(OperandId operand, std::uint32_t v, ResultName name) {
-  return places_.add({operand, v, name, {}, !name.is_none(), !name.is_none()});
-}
-
-PlaceId ResultVertices::place_of_table(VertexId v) {
-  PlaceId& p = place_of_table_[v];
-  if (p == none) p = new_place(none, v.value, name_of_table_[v]);
-  return p;
-}
-
 PlaceId ResultVertices::place(OperandId operand, std::uint32_t v) {
-  if (in_table(operand, v)) return place_of_table(table_vertex(operand, v));
-  if (operand == host_) {
-    const auto [at, is_new] = place_in_host_.try_emplace(v, none);
-    if (is_new) at->second = new_place(operand, v, name_in_host(v));
-    return at->second;
-  }
+  if (in_table(operand, v)) return place(table_vertex(operand, v));
 
-  auto& own = place_[operand];
-  if (own.empty()) own.assign(a_.operands[operand].vertex_count(), none);
-  if (own[v] == none) own[v] = new_place(operand, v, ResultName::of_corner(own_names_[operand][v]));
+  auto& own = place_of_[operand];
+  if (own.size() == 0) own = grid::Paged<PlaceId>(a_.operands[operand].vertex_count());
+  if (own[v] == none) {
+    const bool is_host = operand == host_;
+    own.at(v) = places_.add({is_host ? name_in_host(v) : ResultName::of_corner(own_names_[operand][v])});
+    outside_.push_back({operand, v});
+  }
   return own[v];
 }
 
-ResultName ResultVertices::known_name(const Place& p) const {
-  if (p.name.is_none() && p.operand == none && host_ != none) return host_name_of_table_[VertexId(p.vertex)];
-  return p.name;
+bool ResultVertices::is_grid(PlaceId p) const {
+  if (in_table(p)) return a_.names.vertices.is_grid(p.value);
+  return a_.operands[outside(p).operand].is_grid(outside(p).vertex);
 }
 
-ResultName ResultVertices::add_point(const Place& p) {
-  const VertexTable& vertices = a_.names.vertices;
+void ResultVertices::add_neighbours(PlaceId p, PlaceId before, PlaceId next) {
+  Place& place = places_[p];
+  auto& n = place.neighbours;
+  if (n[1] == many) return;
+  if (!place.name.is_none()) n[1] = many;
+
+  for (const PlaceId q : {before, next}) {
+    if (n[0] == none || n[0] == q)
+      n[0] = q;
+    else if (n[1] == none || n[1] == q)
+      n[1] = q;
+    else
+      n[1] = many;
+  }
+}
+
+ResultName ResultVertices::named(PlaceId p) {
+  ResultName& name = places_[p].name;
+  if (name.is_none() && host_ != none && in_table(p)) name = host_name_of_table_[VertexId(p.value)];
+  if (name.is_none()) name = add_point(p);
+  return name;
+}
+
+/// Appends the place's point to the body.
+ResultName ResultVertices::add_point(PlaceId p) {
+  const bool is_known = in_table(p);
   if (is_grid(p)) {
-    body_.grid_points.push_back(p.operand == none ? vertices.grid_point(p.vertex)
-                                                  : a_.operands[p.operand].grid_points[p.vertex]);
+    body_.grid_points.push_back(is_known ? a_.names.vertices.grid_point(p.value)
+                                         : a_.operands[outside(p).operand].grid_points[outside(p).vertex]);
     return ResultName::grid(body_.grid_points.size() - 1);
   }
-  body_.points.push_back(p.operand == none ? vertices.point(p.vertex) : a_.operands[p.operand].point(p.vertex));
+  body_.points.push_back(is_known ? a_.names.vertices.point(p.value)
+                                  : a_.operands[outside(p).operand].point(outside(p).vertex));
   return ResultName::derived(body_.points.size() - 1);
 }
 

@@ -2,9 +2,8 @@
 /// The vertices of a result in the making: which have their names already, and which wait until all faces are known.
 #pragma once
 
-#include <unordered_map>
-
 #include "booleans/classify/selection.h"
+#include "grid/lists/paged.h"
 
 namespace quoin::booleans {
 
@@ -29,7 +28,7 @@ class ResultName {
   std::uint32_t bits_ = none;
 };
 
-/// A vertex of faces that are not written yet.
+/// A vertex of faces that are not written yet: one of the table by its number there, others by numbers behind those.
 using PlaceId = grid::Id<struct PlaceKind>;
 
 /// A vertex of no touched face stays or goes with all its faces: faces of such vertices are copied, and vertices get
@@ -37,15 +36,6 @@ using PlaceId = grid::Id<struct PlaceKind>;
 /// operand, its host, shares the host's lists: the host's vertices keep their ids.
 class ResultVertices {
  public:
-  struct Place {
-    OperandId operand;  // none: a vertex of the table, by its name there
-    std::uint32_t vertex;
-    ResultName name;  // if it has one
-    std::array<PlaceId, 2> neighbours = {};
-    bool fixed;  // it has a name, or more than two neighbours
-    bool used;   // it has a name, or is on a loop of at least two corners
-  };
-
   /// `host`: none when nothing is shared.
   ResultVertices(const Arrangement& a, OperandId host, Body& body);
 
@@ -58,7 +48,7 @@ class ResultVertices {
 
   /// The name of an operand's vertex, which gets one if it has none, and with it a point of the body.
   ResultName named(OperandId operand, std::uint32_t v);
-  ResultName name_of_table(VertexId v) const { return name_of_table_[v]; }
+  ResultName name_of_table(VertexId v) const { return places_[place(v)].name; }
 
   /// By own vertex of an operand that is no host: the name's bits, none, or where else the name is. Copying whole
   /// meshes fills these side by side.
@@ -66,33 +56,50 @@ class ResultVertices {
   static constexpr std::uint32_t by_table = none - 1;  // that of its vertex of the table
   static constexpr std::uint32_t listed = none - 2;    // the same, of one that copied raw triangles of its operand have
 
-  PlaceId place_of_table(VertexId v);
+  std::size_t place_count() const { return places_.size(); }
+  static PlaceId place(VertexId v) { return v.value; }
+  static PlaceId place(PlaceId p) { return p; }
   PlaceId place(OperandId operand, std::uint32_t v);
-  ById<PlaceId, Place>& places() { return places_; }
-  bool is_grid(const Place& p) const {
-    return p.operand == none ? a_.names.vertices.is_grid(VertexId(p.vertex)) : a_.operands[p.operand].is_grid(p.vertex);
-  }
-  /// Its name, or none.
-  ResultName known_name(const Place& p) const;
-  /// Appends the place's point to the body.
-  ResultName add_point(const Place& p);
+  bool is_grid(PlaceId p) const;
+
+  /// A loop of at least two corners goes through a place, from one other to the next.
+  void add_neighbours(PlaceId p, PlaceId before, PlaceId next);
+  /// Do edges need it? Between exactly two neighbours it lies inside a straight edge: at least two faces that are not
+  /// coplanar pass through both of its edges, so both lie on the line of their planes.
+  bool is_needed(PlaceId p) const { return places_[p].neighbours[1] == many; }
+  /// Is it there, so that a face that it touches lists it?
+  bool is_used(PlaceId p) const { return !places_[p].name.is_none() || places_[p].neighbours[0] != none; }
+  /// The name of a place that stays, which gets one if it has none, and with it a point of the body.
+  ResultName named(PlaceId p);
 
  private:
+  static constexpr std::uint32_t many = none - 1;  // in place of the second neighbour: a name, or more than two of them
+
+  struct Place {
+    ResultName name;
+    std::array<PlaceId, 2> neighbours = {};  // before it has a name
+  };
+  /// A vertex outside the table.
+  struct Outside {
+    OperandId operand;
+    std::uint32_t vertex;
+  };
+
   ResultName name_in_host(std::uint32_t v) const;
   ResultName host_name(std::uint32_t v);
   ResultName new_name(OperandId operand, std::uint32_t v);
-  PlaceId new_place(OperandId operand, std::uint32_t v, ResultName name);
+  bool in_table(PlaceId p) const { return p < a_.names.vertices.size(); }
+  const Outside& outside(PlaceId p) const { return outside_[p.value - a_.names.vertices.size()]; }
+  ResultName add_point(PlaceId p);
 
   const Arrangement& a_;
   const OperandId host_;
   Body& body_;
   ById<PlaceId, Place> places_;
-  ById<VertexId, PlaceId> place_of_table_;
-  ById<VertexId, ResultName> name_of_table_;
-  ById<VertexId, ResultName> host_name_of_table_;  // none where the host has no such vertex
-  ById<OperandId, Array<PlaceId>> place_;          // by own vertex, outside the table
+  Array<Outside> outside_;                          // of the places behind the table
+  ById<OperandId, grid::Paged<PlaceId>> place_of_;  // by own vertex, outside the table; of no size before the first
+  ById<VertexId, ResultName> host_name_of_table_;   // none where the host has no such vertex
   ById<OperandId, Array<std::uint32_t>> own_names_;
-  std::unordered_map<std::uint32_t, PlaceId> place_in_host_;  // of vertices outside the table
 };
 
 }  // namespace quoin::booleans

@@ -3,10 +3,10 @@
 
 using namespace quoin::booleans;
 
-void wait(Making& making, const Regions<VertexId>& merged, const Regions<PlaceId>& waiting) {
+void wait(Making& making, const Regions& merged, const quoin::grid::Loops<PlaceId>& waiting) {
 #ifdef CONTROL
-  making.waiting = waiting;
+  making.waiting_loops = waiting;
 #else
-  making.waiting = merged;
+  making.waiting_loops = merged.loops;
 #endif
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "tests/booleans/assemble/making.h"
@@ -74,9 +75,13 @@ Array<Face> copied_polygons(Made& made, PointNumbers& numbers) {
   const Body& body = made.m.body;
   for (std::size_t i = 0; i < body.planes.size(); ++i)
     add(body.polygons, i, body.planes[i], [&](std::uint32_t c) { return numbers.of(body, ResultName::of_corner(c)); });
-  for (std::size_t i = 0; i < made.m.waiting.size(); ++i)
-    add(made.m.waiting.loops, i, made.m.waiting.planes[i],
-        [&](PlaceId p) { return numbers.of(made.a, made.m.vertices.places()[p]); });
+  for (std::size_t i = 0; i < made.m.waiting.size(); ++i) {
+    const auto& [o, f] = made.m.waiting[i];
+    std::map<PlaceId, std::uint32_t> number;
+    made.a.operands[o].for_corners(
+        f, [&, o = o](std::uint32_t v) { number[made.m.vertices.place(o, v)] = numbers.of(made.a.operands[o], v); });
+    add(made.m.waiting_loops, i, made.m.kept_plane(made.m.waiting[i]), [&](PlaceId p) { return number.at(p); });
+  }
   std::sort(faces.begin(), faces.end());
   return faces;
 }

@@ -31,10 +31,8 @@ class PointNumbers {
     return name.is_derived() ? table_.id(body.points[name.index()]).value
                              : table_.id(body.grid_points[name.index()]).value;
   }
-  /// Of what waits for a name.
-  std::uint32_t of(const Arrangement& a, const ResultVertices::Place& p) {
-    return p.operand == none ? table_.id(a.names.vertices.point(p.vertex)).value : of(a.operands[p.operand], p.vertex);
-  }
+  /// Of a vertex of the arrangement's table.
+  std::uint32_t of(const Arrangement& a, VertexId v) { return table_.id(a.names.vertices.point(v)).value; }
 
  private:
   VertexTable table_;

@@ -104,26 +104,55 @@ TEST(ResultVertices, AVertexThatWaitsHasOnePlace) {
         corner_of.try_emplace(numbers.of(b, v), name.as_corner());
       }
 
+    const std::size_t table = made.a.names.vertices.size();
     std::map<std::uint32_t, PlaceId> place_of;
+    std::size_t outside = 0;
     for (const OperandId o : made.a.operands.ids())
       for (std::uint32_t v = 0; v < bodies[o.value].vertex_count(); ++v) {
         const std::uint32_t number = numbers.of(bodies[o.value], v);
         const PlaceId p = vertices.place(o, v);
-        const ResultVertices::Place place = vertices.places()[p];
-        EXPECT_EQ(place_of.try_emplace(number, p).first->second, p) << "two places";
-        EXPECT_EQ(numbers.of(made.a, place), number);
-        EXPECT_EQ(vertices.is_grid(place), bodies[o.value].is_grid(v));
-
-        const ResultName known = vertices.known_name(place);
-        EXPECT_EQ(known.is_none(), !corner_of.contains(number));
-        if (known.is_none()) {
-          EXPECT_EQ(numbers.of(made.m.body, vertices.add_point(place)), number);
-        } else {
-          EXPECT_EQ(known.as_corner(), corner_of[number]);
+        EXPECT_EQ(vertices.is_grid(p), bodies[o.value].is_grid(v));
+        const auto [at, is_new] = place_of.try_emplace(number, p);
+        EXPECT_EQ(at->second, p) << "two places";
+        outside += is_new && p.value >= table;
+        if (p.value < table) {
+          EXPECT_EQ(numbers.of(made.a, VertexId(p.value)), number);
         }
       }
-    EXPECT_EQ(place_of.size(), vertices.places().size());
+    EXPECT_EQ(vertices.place_count(), table + outside);
+
+    for (const auto& [number, p] : place_of) {
+      const std::size_t before = made.m.body.grid_points.size() + made.m.body.points.size();
+      const ResultName name = vertices.named(p);
+      const auto [at, is_new] = corner_of.try_emplace(number, name.as_corner());
+      EXPECT_EQ(at->second, name.as_corner());
+      EXPECT_EQ(numbers.of(made.m.body, name), number);
+      EXPECT_EQ(made.m.body.grid_points.size() + made.m.body.points.size(), before + is_new);
+      EXPECT_EQ(vertices.named(p).as_corner(), name.as_corner()) << "asked again";
+    }
   });
+}
+
+// An edge ends where there are more than two neighbours; a vertex with a name stays on every edge.
+TEST(ResultVertices, AVertexBetweenTwoNeighboursIsNotNeeded) {
+  const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
+  Made made(bodies, Expression::flat(Rule::any, 2));
+  ResultVertices& vertices = made.m.vertices;
+  const PlaceId a = 0, b = 1, c = 2, d = 3;
+  EXPECT_FALSE(vertices.is_used(a));
+  for (const auto& [before, next] : {std::array{b, c}, {c, b}, {b, c}}) {
+    vertices.add_neighbours(a, before, next);
+    EXPECT_TRUE(vertices.is_used(a));
+    EXPECT_FALSE(vertices.is_needed(a));
+  }
+  vertices.add_neighbours(a, c, d);
+  EXPECT_TRUE(vertices.is_needed(a));
+
+  vertices.named(c);
+  EXPECT_TRUE(vertices.is_used(c));
+  EXPECT_FALSE(vertices.is_needed(c)) << "on no edge yet";
+  vertices.add_neighbours(c, a, b);
+  EXPECT_TRUE(vertices.is_needed(c));
 }
 
 }  // namespace
