@@ -97,10 +97,10 @@ std::string dump(const Sheets& sheets, const Names& names) {
 
 std::string dump(const Uses& uses, const Names& names) {
   Lines out;
-  uses.for_edges([&](std::span<const Use> at) {
-    out.add(text_of(names, at[0].low) + " - " + text_of(names, at[0].high) + ":");
+  uses.for_edges([&](VertexId low, std::span<const Use> at) {
+    out.add(text_of(names, low) + " - " + text_of(names, at[0].high()) + ":");
     for (const Use& u : at)
-      out.add(" %s%u%s", u.element == none ? "patch " : "", u.node.value, u.left ? " left" : " right");
+      out.add(" %s%u%s", u.is_facet() ? "" : "patch ", u.node().value, u.left() ? " left" : " right");
     out.add("\n");
   });
   return out.take();

@@ -56,12 +56,12 @@ void check(const Sheet& sheet, const Names& names) {
 
 void check(const Arrangement& a) {
   if (!a.operands.are_clean) return;  // there an edge also has faces that are glued, not used
-  a.uses.for_edges([&](std::span<const Use> uses) {
+  a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
     std::map<OperandId, int> change;
     for (const Use& u : uses) {
       // Passing the facet counter-clockwise goes from its front to its back where it lies right of the edge.
-      const int way = (u.left ? -1 : 1) * (u.turned ? -1 : 1);
-      a.for_jumps(u.node, [&](OperandId operand, int by) { change[operand] += way * by; });
+      const int way = u.left() ? -1 : 1;
+      a.for_jumps(u.node(), [&](OperandId operand, int by) { change[operand] += way * by; });
     }
     for (const auto& [operand, sum] : change) require(sum == 0, "the labels around an edge close up");
   });

@@ -9,42 +9,56 @@ namespace quoin::booleans {
 namespace {
 
 /// The side met counter-clockwise after (before) the facet around the edge low -> high.
-SideId after(const Use& u) { return u.left ? canonical_front(u) : opposite(canonical_front(u)); }
+SideId after(const Use& u) { return u.left() ? front_of(u.node()) : back_of(u.node()); }
 SideId before(const Use& u) { return opposite(after(u)); }
 
-/// Counter-clockwise around low -> high, starting from the first use.
-void sort_around_edge(const Arrangement& a, std::span<const Use> uses, std::vector<std::uint32_t>& order) {
-  int axis = -1, forward = 0;  // an axis in which the edge runs, and its direction there
-  while (forward == 0) forward = a.names.vertices.compare_along(++axis, uses[0].high, uses[0].low);
-  sort_around(
-      order, axis, forward, [&](std::uint32_t i) -> const exact::Plane& { return a.names.planes[uses[i].plane]; },
-      [&](std::uint32_t i) { return uses[i].left; });
-}
+/// Unites the sides that look at each other across the fan of each edge, and the nodes that hang together there.
+class Fans {
+ public:
+  Fans(const Arrangement& a, grid::Partition& sides, grid::Partition& nodes) : a_(a), sides_(sides), nodes_(nodes) {}
 
-/// Unites the sides that look at each other across the fan of an edge.
-void spread_over_fans(const Arrangement& a, grid::Partition& sides) {
-  std::vector<std::uint32_t> order;
-  a.uses.for_edges([&](std::span<const Use> uses) {
-    order.clear();
-    for (std::uint32_t i = 0; i < uses.size(); ++i) order.push_back(i);
-    if (order.size() > 2) sort_around_edge(a, uses, order);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const Use &u = uses[order[i]], &v = uses[order[grid::next_in_loop(i, order.size())]];
-      sides.unite(after(u).value, before(v).value);
+  void add(VertexId low, std::span<const Use> uses) {
+    order_.clear();
+    for (std::uint32_t i = 0; i < uses.size(); ++i) order_.push_back(i);
+    if (uses.size() > 2) sort_around_edge(low, uses);
+
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      const Use &u = uses[order_[i]], &v = uses[order_[grid::next_in_loop(i, uses.size())]];
+      sides_.unite(after(u).value, before(v).value);
+      if (i > 0) nodes_.unite(uses[0].node().value, uses[i].node().value);
     }
-  });
-}
+  }
+
+ private:
+  /// Of the node's front, to be asked for signs.
+  exact::Plane plane(const Use& u) const {
+    if (u.is_facet()) return a_.names.planes[u.plane()];
+    const OwnFace own = a_.operands.own(u.face());
+    return a_.operands[own.operand].sign_plane(own.face);
+  }
+  /// Counter-clockwise around low -> high, starting from the first use.
+  void sort_around_edge(VertexId low, std::span<const Use> uses) {
+    planes_.clear();
+    for (const Use& u : uses) planes_.push_back(plane(u));
+
+    int axis = -1, forward = 0;  // an axis in which the edge runs, and its direction there
+    while (forward == 0) forward = a_.names.vertices.compare_along(++axis, uses[0].high(), low);
+    sort_around(
+        order_, axis, forward, [&](std::uint32_t i) -> const exact::Plane& { return planes_[i]; },
+        [&](std::uint32_t i) { return uses[i].left(); });
+  }
+
+  const Arrangement& a_;
+  grid::Partition &sides_, &nodes_;
+  std::vector<std::uint32_t> order_;  // of one fan
+  std::vector<exact::Plane> planes_;
+};
 
 /// Nodes that hang together over edges.
-Components components_of(const Arrangement& a) {
-  grid::Partition nodes(a.node_count());
-  a.uses.for_edges([&](std::span<const Use> uses) {
-    for (const Use& u : uses.subspan(1)) nodes.unite(uses[0].node.value, u.node.value);
-  });
-
+Components components_of(grid::Partition& nodes, std::uint32_t count) {
   Components c;
-  c.of.resize(a.node_count());
-  for (const NodeId n : Ids<NodeId>(a.node_count())) {
+  c.of.resize(count);
+  for (const NodeId n : Ids<NodeId>(count)) {
     const NodeId root = nodes.find(n.value);
     if (root == n) c.of[n] = c.count++;
     c.of[n] = c.of[root];
@@ -56,11 +70,12 @@ Components components_of(const Arrangement& a) {
 
 Cells find_cells(const Arrangement& a) {
   const std::uint32_t side_count = 2 * a.node_count(), infinity = side_count;
-  grid::Partition sides(side_count + 1);
-  spread_over_fans(a, sides);
+  grid::Partition sides(side_count + 1), nodes(a.node_count());
+  Fans fans(a, sides, nodes);
+  a.uses.for_edges([&](VertexId low, std::span<const Use> uses) { fans.add(low, uses); });
 
   // Each component has its place from a far patch, or else from one ray.
-  const Components components = components_of(a);
+  const Components components = components_of(nodes, a.node_count());
   ById<ComponentId, std::uint8_t> is_placed(components.count);
   for (const OperandId o : a.operands.ids()) {
     const NodeId far = a.patches().far[o];

@@ -54,8 +54,10 @@ class Extremes {
  public:
   explicit Extremes(const Open& open) : open_(open), best_(open.components.count) {
     const Arrangement& a = open.a;
-    for (const Use& u : a.uses.list)
-      for (const VertexId v : {u.low, u.high}) offer(open.of(u.node), v, a.names.vertices.approximation(v));
+    a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
+      for (const Use& u : uses)
+        for (const VertexId v : {low, u.high()}) offer(open.of(u.node()), v, a.names.vertices.approximation(v));
+    });
 
     for (const OperandChunk& c : a.operands.chunks) {
       if (is_placed(c) || c.box.low[0] > farthest()) continue;
@@ -127,15 +129,26 @@ class CornerCollector {
     for (const auto& [v, c] : wanted_)
       if (v.is_named()) is_wanted[v.named()] = 1;
 
-    for (const Use& u : a.uses.list) {
-      if (!is_wanted[u.low] && !is_wanted[u.high]) continue;
-      if (!a.sheets.is_facet(u.node)) continue;  // untouched faces follow
-      UseCorner corner{u.high, u.node, a.names.planes[u.plane], a.names.planes[u.line], u.left, false};
-      offer(u.low, corner);
-      corner.w = u.low;
-      corner.left = !u.left;
-      offer(u.high, corner);
-    }
+    a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
+      if (!is_wanted[low] && !is_wanted[uses[0].high()]) return;
+      for (const Use& u : uses)
+        if (u.is_facet()) add_facet(low, u);  // untouched faces follow
+    });
+  }
+
+  /// Another plane through a facet's edge.
+  PlaneId line(const Use& u) const {
+    const Sheets& sheets = open_.a.sheets;
+    const SheetId s = sheets.sheet_of(u.node());
+    return sheets[s].elements[u.element().value - sheets.element(s, 0).value].line;
+  }
+  void add_facet(VertexId low, const Use& u) {
+    const Arrangement& a = open_.a;
+    UseCorner corner{u.high(), u.node(), a.names.planes[u.plane()], a.names.planes[line(u)], u.left(), false};
+    offer(low, corner);
+    corner.w = low;
+    corner.left = !u.left();
+    offer(u.high(), corner);
   }
 
   void add_untouched() {

@@ -131,12 +131,11 @@ Selection select(const Arrangement& a, const Cells& cells, const Expression& exp
   }
 
   selection.kept_at.assign(a.sheets.element_count(), 0);
-  a.uses.for_edges([&](std::span<const Use> uses) {
+  a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
     std::size_t count = 0;
-    for (const Use& u : uses) count += selection.kept[u.node] != 0;
+    for (const Use& u : uses) count += selection.kept[u.node()] != 0;
     for (const Use& u : uses)
-      if (u.element != none)
-        selection.kept_at[u.element] = static_cast<std::uint8_t>(std::min<std::size_t>(count, 255));
+      if (u.is_facet()) selection.kept_at[u.element()] = static_cast<std::uint8_t>(std::min<std::size_t>(count, 255));
   });
   return selection;
 }

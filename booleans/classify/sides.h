@@ -15,7 +15,5 @@ inline NodeId node_of(SideId s) { return s.value / 2; }
 inline bool is_back(SideId s) { return (s.value & 1) != 0; }
 /// The other side of the same node.
 inline SideId opposite(SideId s) { return s.value ^ 1; }
-/// The side of a use that looks along the canonical normal.
-inline SideId canonical_front(const Use& u) { return u.turned ? back_of(u.node) : front_of(u.node); }
 
 }  // namespace quoin::booleans

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "tests/booleans/stages.h"
 
@@ -21,9 +22,9 @@ void expect_complete(const Arrangement& a) {
       ++expected[{std::min(u, v).value, std::max(u, v).value, a.sheets.node(s, sheet.facet[h]).value, u < v}];
     }
   }
-  a.uses.for_edges([&](std::span<const Use> uses) {
+  a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
     for (const Use& u : uses)
-      if (a.sheets.is_facet(u.node)) ++found[{u.low.value, u.high.value, u.node.value, u.left}];
+      if (u.is_facet()) ++found[{low.value, u.high().value, u.node().value, u.left()}];
   });
   EXPECT_EQ(found, expected);
 }
@@ -40,7 +41,7 @@ TEST(Uses, HoldEveryFacetAtEachOfItsElements) {
 TEST(Uses, CornerOfACubeInACube) {
   const std::vector<Body> bodies{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
   std::map<std::size_t, int> fans;
-  arranged(bodies).uses.for_edges([&](std::span<const Use> uses) { ++fans[uses.size()]; });
+  arranged(bodies).uses.for_edges([&](VertexId, std::span<const Use> uses) { ++fans[uses.size()]; });
   EXPECT_EQ(fans[4], 6);
   EXPECT_EQ(fans.size(), 2u);
   EXPECT_TRUE(fans.contains(2));
@@ -52,8 +53,8 @@ TEST(Uses, TipOnAFace) {
                                  *tetrahedron({{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {-2, -2, 2}}})};
   const Arrangement a = arranged(bodies);
   EXPECT_EQ(lines_of(dump(a.uses, a.names)), (std::vector<std::string>{
-                                                 "(-4, -4, 0) - (4, -4, 0): 0 left patch 4 left",
-                                                 "(-4, -4, 0) - (-4, 4, 0): 0 right patch 4 right",
+                                                 "(-4, -4, 0) - (4, -4, 0): 0 left patch 4 right",
+                                                 "(-4, -4, 0) - (-4, 4, 0): 0 right patch 4 left",
                                                  "(4, -4, 0) - (4, 4, 0): 0 left patch 4 right",
                                                  "(4, 4, 0) - (-4, 4, 0): 0 left patch 4 right",
                                                  "(0, 0, 0) - (0, 2, 2): 1 left 3 left",
@@ -63,6 +64,57 @@ TEST(Uses, TipOnAFace) {
                                                  "(0, 2, 2) - (-2, -2, 2): 3 left patch 5 left",
                                                  "(2, 0, 2) - (-2, -2, 2): 2 left patch 5 right",
                                              }));
+}
+
+TEST(Use, SaysWhatItIs) {
+  for (const std::uint32_t node : {0u, 1u, 0x7FFFFFFEu})
+    for (const bool left : {false, true}) {
+      const Use facet = Use::of_facet(none - 2, node, left, PlaneId(5), ElementId(none - 1)),
+                patch = Use::of_patch(7, node, left, FaceId(none - 1));
+      EXPECT_EQ(facet.high().value, none - 2);
+      EXPECT_EQ(patch.high().value, 7u);
+      for (const Use& u : {facet, patch}) {
+        EXPECT_EQ(u.node().value, node);
+        EXPECT_EQ(u.left(), left);
+      }
+      EXPECT_TRUE(facet.is_facet());
+      EXPECT_EQ(facet.plane().value, 5u);
+      EXPECT_EQ(facet.element().value, none - 1);
+      EXPECT_FALSE(patch.is_facet());
+      EXPECT_EQ(patch.face().value, none - 1);
+    }
+}
+
+// Two blocks of one operand have an edge in common; of its four faces two are touched, and each of the others hangs at
+// both of these.
+TEST(Uses, AFaceThatHangsAtTwoTouchedOnesIsThereOnce) {
+  const std::vector<Body> bodies{packed(any(box({0, 0, 0}, {4, 4, 4}), box({4, 4, 0}, {8, 8, 4}))),
+                                 box({3, 1, 1}, {5, 3, 3}), box({3, 5, 1}, {5, 7, 3})};
+  const Arrangement a = arranged(bodies);
+  std::size_t patches = 0;
+  a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      patches += !uses[i].is_facet();
+      EXPECT_TRUE(i == 0 || uses[i] != uses[i - 1]);
+    }
+  });
+  EXPECT_EQ(a.touched.untouched.size(), patches + 2);
+}
+
+// Edges come by their ends, each once.
+TEST(Uses, AreInOrderAtEachLowEnd) {
+  for_families(0x05E6, 10, [](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next(), solids.next(), solids.next()};
+    const Arrangement a = arranged(bodies);
+    VertexId last_low = 0, last_high = 0;
+    a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
+      const VertexId high = uses[0].high();
+      EXPECT_LT(low, high);
+      EXPECT_TRUE(last_low < low || (last_low == low && last_high < high));
+      for (const Use& u : uses) EXPECT_EQ(u.high(), high);
+      std::tie(last_low, last_high) = std::tie(low, high);
+    });
+  });
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 /// Nodes that hang together over edges, numbered in their order.
 Components components_of(const Arrangement& a) {
   grid::Partition nodes(a.node_count());
-  a.uses.for_edges([&](std::span<const Use> uses) {
-    for (const Use& u : uses) nodes.unite(uses[0].node.value, u.node.value);
+  a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
+    for (const Use& u : uses) nodes.unite(uses[0].node().value, u.node().value);
   });
   Components components;
   std::map<std::uint32_t, ComponentId> id;
