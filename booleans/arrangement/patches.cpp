@@ -44,21 +44,44 @@ struct PatchPart {
   Array<CrowdedEdge> crowded;
 };
 
+/// Unites the near vertices that far faces have; one of them, or none. `items` are boxes around all near vertices.
+std::uint32_t join_over_far_faces(const PatchPart& part, const grid::Numbering& near, const Array<BoxTree::Item>& items,
+                                  grid::Partition& parts) {
+  std::uint32_t anchor = none;
+  const BoxTree around(items);
+  for (const OperandChunk& c : part.operands.chunks_of(part.operand)) {
+    bool meets = false;
+    if (c.far) around.meeting(c.box, [&](std::uint32_t) { meets = true; });
+    if (!meets) continue;
+    part.for_untouched(c, [&](std::uint32_t f) {
+      for (const std::uint32_t v : part.body().corners_of(f)) {
+        const std::uint32_t n = near[v];
+        if (n == none) continue;
+        if (anchor == none) anchor = n;
+        parts.unite(anchor, n);
+      }
+    });
+  }
+  return anchor;
+}
+
 /// Far faces are one patch, wherever they are: their labels are known. Near ones join it over vertices of the far faces
 /// around them.
 void glue_over_vertices(PatchPart& part) {
   const Body& body = part.body();
   const auto chunks = part.operands.chunks_of(part.operand);
-  Array<BoxTree::Item> boxes, points;  // of near chunks, and of their vertices while these are fewer than all chunks
+  // Where there are far chunks: of near ones, and of their vertices while these are fewer than all chunks.
+  Array<BoxTree::Item> boxes, points;
   grid::Numbering near(body.vertex_count());
+  part.has_far = std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; });
+  const std::size_t most_points = part.has_far ? chunks.size() : 0;
   for (const OperandChunk& c : chunks) {
-    part.has_far = part.has_far || c.far;
     if (c.far) continue;
-    boxes.emplace_back().box = c.box;
+    if (part.has_far) boxes.emplace_back().box = c.box;
     part.for_untouched(c, [&](std::uint32_t f) {
       for (const std::uint32_t v : body.corners_of(f)) {
         const std::uint32_t before = near.size();
-        if (near.add(v) == before && before < chunks.size()) body.add_to(points.emplace_back().box, v);
+        if (near.add(v) == before && before < most_points) body.add_to(points.emplace_back().box, v);
       }
     });
   }
@@ -71,22 +94,8 @@ void glue_over_vertices(PatchPart& part) {
         for (const std::uint32_t v : corners) parts.unite(near[corners[0]], near[v]);
       });
 
-  std::uint32_t anchor = none;  // a vertex of near and far faces
-  const BoxTree around(near.size() < chunks.size() ? points : boxes);
-  for (const OperandChunk& c : chunks) {
-    bool meets = false;
-    if (c.far) around.meeting(c.box, [&](std::uint32_t) { meets = true; });
-    if (!meets) continue;
-    part.for_untouched(c, [&](std::uint32_t f) {
-      for (const std::uint32_t v : body.corners_of(f)) {
-        const std::uint32_t n = near[v];
-        if (n == none) continue;
-        if (anchor == none) anchor = n;
-        parts.unite(anchor, n);
-      }
-    });
-  }
-
+  const std::uint32_t anchor =
+      part.has_far ? join_over_far_faces(part, near, near.size() < chunks.size() ? points : boxes, parts) : none;
   if (part.has_far) ++part.count;
   Array<std::uint32_t> patch(near.size(), none);
   if (anchor != none) patch[parts.find(anchor)] = 0;

@@ -18,15 +18,11 @@ class Fans {
   Fans(const Arrangement& a, grid::Partition& sides, grid::Partition& nodes) : a_(a), sides_(sides), nodes_(nodes) {}
 
   void add(VertexId low, std::span<const Use> uses) {
-    order_.clear();
-    for (std::uint32_t i = 0; i < uses.size(); ++i) order_.push_back(i);
-    if (uses.size() > 2) sort_around_edge(low, uses);
+    for (const Use& u : uses.subspan(1)) nodes_.unite(uses[0].node().value, u.node().value);
 
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      const Use &u = uses[order_[i]], &v = uses[order_[grid::next_in_loop(i, uses.size())]];
-      sides_.unite(after(u).value, before(v).value);
-      if (i > 0) nodes_.unite(uses[0].node().value, uses[i].node().value);
-    }
+    const std::span<const Use> fan = uses.size() > 2 ? sorted(low, uses) : uses;
+    for (std::size_t i = 0; i < fan.size(); ++i)
+      sides_.unite(after(fan[i]).value, before(fan[grid::next_in_loop(i, fan.size())]).value);
   }
 
  private:
@@ -37,21 +33,29 @@ class Fans {
     return a_.operands[own.operand].sign_plane(own.face);
   }
   /// Counter-clockwise around low -> high, starting from the first use.
-  void sort_around_edge(VertexId low, std::span<const Use> uses) {
+  std::span<const Use> sorted(VertexId low, std::span<const Use> uses) {
+    order_.clear();
     planes_.clear();
-    for (const Use& u : uses) planes_.push_back(plane(u));
-
+    for (const Use& u : uses) {
+      order_.push_back(static_cast<std::uint32_t>(order_.size()));
+      planes_.push_back(plane(u));
+    }
     int axis = -1, forward = 0;  // an axis in which the edge runs, and its direction there
     while (forward == 0) forward = a_.names.vertices.compare_along(++axis, uses[0].high(), low);
     sort_around(
         order_, axis, forward, [&](std::uint32_t i) -> const exact::Plane& { return planes_[i]; },
         [&](std::uint32_t i) { return uses[i].left(); });
+
+    fan_.clear();
+    for (const std::uint32_t i : order_) fan_.push_back(uses[i]);
+    return fan_;
   }
 
   const Arrangement& a_;
   grid::Partition &sides_, &nodes_;
   std::vector<std::uint32_t> order_;  // of one fan
-  std::vector<exact::Plane> planes_;
+  Array<exact::Plane> planes_;
+  Array<Use> fan_;
 };
 
 /// Nodes that hang together over edges.
