@@ -86,6 +86,15 @@ TEST(Joined, ATipOnAFace) {
   EXPECT_EQ(loops_on(packed(minus(table, tip)), top), (Loops{rim}));
 }
 
+// The faces of the tip are copied when the face under it is cut far from it: the point has its name and stays.
+TEST(Joined, ATipOnAFaceThatIsCutElsewhere) {
+  const Body table = box({-4, -4, -4}, {4, 4, 0});
+  const Body tip = *tetrahedron({{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {-2, -2, 2}}});
+  const Body rest = packed(minus(packed(any(table, tip)), box({3, 3, -1}, {5, 5, 1})));
+  const Loops::value_type rim{{{-4, -4, 0}}, {{4, -4, 0}}, {{4, 3, 0}}, {{3, 3, 0}}, {{3, 4, 0}}, {{-4, 4, 0}}};
+  EXPECT_EQ(loops_on(rest, {{0, 0, 1}, 0}), (Loops{rim, {{{0, 0, 0}}}}));
+}
+
 // The corner that a plane cuts off a cube leaves triangles between grid points, which are raw, and squares.
 TEST(Joined, ACornerThatIsCutOff) {
   const Body corner = *tetrahedron({{{4, 4, 4}, {0, 4, 4}, {4, 0, 4}, {4, 4, 0}}});
