@@ -140,29 +140,39 @@ SweepChains::Chain SweepChains::join(const Chain& lower, const Chain& upper) {
   return {{lower.end[bottom], upper.end[top]}, lower.tip};
 }
 
-bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
+bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank, std::size_t rank_count,
                      Scratch<SweepSegment>& segments) {
-  segments.clear();
-  segments.reserve(edges.size());
-  for (const FaceEdge& edge : edges) {
-    const std::uint32_t from = rank[edge[0]], to = rank[edge[1]];
-    if (from == to) return false;
-    const bool rightward = from < to;
-    segments.push_back({std::min(from, to), std::max(from, to), !rightward, rightward});
-  }
-  const auto key = [](const SweepSegment& s) { return std::uint64_t{s.left} << 32 | s.right; };
-  std::sort(segments.begin(), segments.end(),
-            [&key](const SweepSegment& a, const SweepSegment& b) { return key(a) < key(b); });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const SweepSegment segment = segments[i];
-    if (kept == 0 || key(segments[kept - 1]) != key(segment)) {
-      segments[kept++] = segment;
-      continue;
+  for (const FaceEdge& edge : edges)
+    if (edge[0] == edge[1]) return false;
+
+  Scratch<std::uint32_t> start(rank_count + 2, 0);
+  const auto for_segments = [&](auto&& visit) {
+    for (const FaceEdge& edge : edges) {
+      const std::uint32_t from = rank[edge[0]], to = rank[edge[1]];
+      const bool rightward = from < to;
+      const std::uint32_t left = rightward ? from : to, right = rightward ? to : from;
+      visit(left, SweepSegment{left, right, !rightward, rightward});
     }
-    SweepSegment& slit = segments[kept - 1];
-    if ((slit.inside_above && segment.inside_above) || (slit.inside_below && segment.inside_below)) return false;
-    slit.inside_above = slit.inside_below = true;
+  };
+  grid::counting_sort(std::span(start.data(), start.size()), for_segments, [&](std::size_t n) {
+    segments.resize(n);
+    return segments.data();
+  });
+
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < rank_count; ++v) {
+    const auto begin = segments.begin() + start[v], end = segments.begin() + start[v + 1];
+    const auto by_right = [](const SweepSegment& a, const SweepSegment& b) { return a.right < b.right; };
+    if (end - begin > 1) std::sort(begin, end, by_right);
+    for (auto s = begin; s != end; ++s) {
+      if (s == begin || segments[kept - 1].right != s->right) {
+        segments[kept++] = *s;
+        continue;
+      }
+      SweepSegment& slit = segments[kept - 1];
+      if ((slit.inside_above && s->inside_above) || (slit.inside_below && s->inside_below)) return false;
+      slit.inside_above = slit.inside_below = true;
+    }
   }
   segments.resize(kept);
   return true;
@@ -185,27 +195,46 @@ bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Sc
   return next[loop.back()] == start;
 }
 
-FlipMesh::FlipMesh(std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained)
-    : triangles_(triangles), twin_(3 * triangles.size(), none), edge_(3 * triangles.size(), none) {
-  Scratch<std::uint64_t> fixed;
-  fixed.reserve(constrained.size());
-  for (const FaceEdge& edge : constrained) fixed.push_back(undirected_key(edge[0], edge[1]));
-  std::sort(fixed.begin(), fixed.end());
-  Scratch<std::pair<std::uint64_t, std::uint32_t>> halves;
-  halves.reserve(twin_.size());
-  for (std::uint32_t half = 0; half < twin_.size(); ++half) {
-    halves.push_back({undirected_key(origin(half), origin(next_corner(half))), half});
+void FlipMesh::find_barriers(std::uint32_t vertex_count, std::span<const FaceEdge> constrained) {
+  constrained_to_.assign(vertex_count, none);
+  barriers_.clear();
+  for (const FaceEdge& edge : constrained) {
+    std::uint32_t& to = constrained_to_[edge[0]];
+    if (to == none)
+      to = edge[1];
+    else
+      barriers_.push_back(undirected_key(edge[0], edge[1]));
   }
-  std::sort(halves.begin(), halves.end());
-  auto barrier = fixed.begin();
-  for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
-    const auto [key, half] = halves[i];
-    if (halves[i + 1].first != key) continue;
-    while (barrier != fixed.end() && *barrier < key) ++barrier;
-    if (barrier != fixed.end() && *barrier == key) continue;
-    const std::uint32_t edge = edge_count();
-    half_of_.push_back(half);
-    move(half, edge, halves[i + 1].second);
+  std::sort(barriers_.begin(), barriers_.end());
+}
+
+void FlipMesh::assign(std::uint32_t vertex_count, std::span<FaceTriangle> triangles,
+                      std::span<const FaceEdge> constrained) {
+  triangles_ = triangles;
+  twin_.assign(3 * triangles.size(), none);
+  edge_.assign(3 * triangles.size(), none);
+  half_of_.clear();
+  find_barriers(vertex_count, constrained);
+
+  // A half-edge that is left out leaves its twin, if it has one, alone.
+  halves_.assign(vertex_count, [&](auto&& visit) {
+    for (std::uint32_t half = 0; half < twin_.size(); ++half) {
+      const std::uint32_t a = origin(half), b = origin(next_corner(half));
+      if (constrained_to_[a] != b) visit(std::min(a, b), Half{std::max(a, b), half});
+    }
+  });
+  for (std::uint32_t low = 0; low < vertex_count; ++low) {
+    const auto own = halves_[low];
+    if (own.size() < 2) continue;
+    std::sort(own.begin(), own.end(),
+              [](const Half& a, const Half& b) { return a.high != b.high ? a.high < b.high : a.half < b.half; });
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+      if (own[i].high != own[i + 1].high) continue;
+      if (std::binary_search(barriers_.begin(), barriers_.end(), undirected_key(low, own[i].high))) continue;
+      const std::uint32_t edge = edge_count();
+      half_of_.push_back(own[i].half);
+      move(own[i].half, edge, own[i + 1].half);
+    }
   }
 }
 

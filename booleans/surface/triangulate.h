@@ -11,11 +11,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "grid/lists/buckets.h"
 #include "grid/lists/loops.h"
 #include "grid/lists/thresholds.h"
 
@@ -56,8 +58,11 @@ class SweepStatus {
   static constexpr Index none = UINT32_MAX;
   enum Side : unsigned { bottom = 0, top = 1 };
 
-  /// Holds segments 0 .. capacity - 1, none of them active.
-  explicit SweepStatus(std::size_t capacity) : nodes_(capacity) {}
+  /// For segments 0 .. capacity - 1, none of them active.
+  void reset(std::size_t capacity) {
+    nodes_.resize(capacity);
+    root_ = lowest_ = none;
+  }
 
   Index root() const { return root_; }
   Index child(Index node, Side side) const { return nodes_[node].child[side]; }
@@ -105,6 +110,8 @@ class SweepChains {
     bool exists() const { return tip != none; }
   };
 
+  /// Without a chain.
+  void reset() { nodes_.clear(); }
   std::uint32_t vertex(Index node) const { return nodes_[node].vertex; }
   Index neighbour(Index node, Side side) const { return nodes_[node].link[side]; }
   /// A chain of one vertex.
@@ -133,15 +140,16 @@ struct SweepSegment {
   bool inside_above = false;
 };
 
-/// The segments of directed edges, sorted by left end; `rank` maps vertex ids to their place in lexicographic order.
-/// False when an edge is a loop or is there twice.
-bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank,
+/// The segments of directed edges, sorted by left end; `rank` maps vertex ids to their place in lexicographic order,
+/// below `rank_count`. False when an edge is a loop or is there twice.
+bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_t>& rank, std::size_t rank_count,
                      Scratch<SweepSegment>& segments);
 
 /// The vertices of the edges, when they are one loop without a repeated vertex; else false.
 bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop);
 
-/// One triangulation by sweep. Inside, vertices are known by their rank in lexicographic order.
+/// Triangulations by sweep, each with the memory of those before. Inside, vertices are known by their rank in
+/// lexicographic order.
 template <PlanarPoints Points>
 class FaceSweep {
  public:
@@ -150,12 +158,14 @@ class FaceSweep {
   /// See `triangulate`; on false some triangles may have been appended.
   bool run(std::uint32_t vertex_count, std::span<const FaceEdge> edges, std::span<const std::uint32_t> isolated) {
     if (!sort_vertices(vertex_count, edges, isolated)) return false;
-    if (!gather_segments(edges, rank_, segments_)) return false;
+    if (!gather_segments(edges, rank_, ids_.size(), segments_)) return false;
     ending_count_.assign(ids_.size(), 0);
     ending_.assign(ids_.size(), SweepStatus::none);
     for (const SweepSegment& segment : segments_) ++ending_count_[segment.right];
-    status_ = SweepStatus(segments_.size());
-    interval_.assign(segments_.size(), Chain{});
+    status_.reset(segments_.size());
+    chains_.reset();
+    interval_.resize(segments_.size());
+    first_out_ = end_out_ = 0;
     for (std::uint32_t v = 0; v < ids_.size(); ++v) {
       if (!visit(v)) return false;
     }
@@ -175,21 +185,21 @@ class FaceSweep {
 
   bool sort_vertices(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                      std::span<const std::uint32_t> isolated) {
-    Scratch<char> used(vertex_count, 0);
+    rank_.assign(vertex_count, none);
     for (const FaceEdge& edge : edges) {
       if (edge[0] >= vertex_count || edge[1] >= vertex_count) return false;
-      used[edge[0]] = used[edge[1]] = 1;
+      rank_[edge[0]] = rank_[edge[1]] = 0;
     }
     for (const std::uint32_t id : isolated) {
       if (id >= vertex_count) return false;
-      used[id] = 1;
+      rank_[id] = 0;
     }
+    ids_.clear();
     for (std::uint32_t id = 0; id < vertex_count; ++id) {
-      if (used[id]) ids_.push_back(id);
+      if (rank_[id] != none) ids_.push_back(id);
     }
     sort_by_few_comparisons(ids_.begin(), ids_.end(),
                             [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
-    rank_.assign(vertex_count, none);
     for (std::uint32_t place = 0; place < ids_.size(); ++place) rank_[ids_[place]] = place;
     return true;
   }
@@ -323,7 +333,7 @@ class FaceSweep {
   /// Vertex ids by rank, and ranks by vertex id (`none` for ids that are not used).
   Scratch<std::uint32_t> ids_, rank_;
   Scratch<SweepSegment> segments_;
-  SweepStatus status_{0};
+  SweepStatus status_;
   SweepChains chains_;
   /// By segment: the chain of the interval right above an active segment; none when outside.
   Scratch<Chain> interval_;
@@ -359,35 +369,14 @@ bool triangulate_convex(const Points& points, const Scratch<std::uint32_t>& loop
   return true;
 }
 
-/// Appends triangles, counter-clockwise and none collinear, that cover exactly the interior of a face.
-/// `edges`: directed boundary edges in any order, ids below `vertex_count`, interior on the left. They meet only in
-/// vertices; loops may touch, slits are present in both directions, and there may be several regions.
-/// `isolated`: vertices in the interior that no edge uses. Ids that are in neither are ignored.
-/// The mesh is conforming: each directed boundary edge is in exactly one triangle, any other edge of a triangle in
-/// exactly two, in opposite directions, and every vertex of `edges` and `isolated` is a corner.
-/// Time O(n log n). Predicates: about n log2 n comparisons for the order; orientations: at most two for each vertex and
-/// one for each triangle, and O(log n) to place each vertex where no edge ends and to sort the edges around a vertex.
-/// False, with nothing appended, when the edges are seen not to bound a face (a loop is open, sides do not match, an
-/// index is out of range). Edges that cross may go unseen; the triangles are then unspecified.
-template <PlanarPoints Points>
-[[nodiscard]] bool triangulate(const Points& points, std::uint32_t vertex_count, std::span<const FaceEdge> edges,
-                               std::span<const std::uint32_t> isolated, std::vector<FaceTriangle>& triangles) {
-  const std::size_t before = triangles.size();
-  Scratch<std::uint32_t> loop;
-  if (isolated.empty() && single_loop(vertex_count, edges, loop) && triangulate_convex(points, loop, triangles))
-    return true;
-  if (FaceSweep<Points>(points, triangles).run(vertex_count, edges, isolated)) return true;
-  triangles.resize(before);
-  return false;
-}
-
 /// The triangles of a face with their neighbours, for flipping. Half-edge 3 t + i goes from corner i of triangle t.
 class FlipMesh {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
 
+  /// Other triangles, in the memory of those before. Vertices are below `vertex_count`.
   /// `constrained`: edges, in either direction, that must stay.
-  FlipMesh(std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained);
+  void assign(std::uint32_t vertex_count, std::span<FaceTriangle> triangles, std::span<const FaceEdge> constrained);
 
   /// Edges 0 .. edge_count() - 1 are those between two triangles that may be flipped.
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(half_of_.size()); }
@@ -402,11 +391,21 @@ class FlipMesh {
   std::uint32_t origin(std::uint32_t half) const { return triangles_[half / 3][half % 3]; }
   void move(std::uint32_t half, std::uint32_t edge, std::uint32_t twin);
 
+  /// A half-edge at the lower one of its ends.
+  struct Half {
+    std::uint32_t high, half;
+  };
+  void find_barriers(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
+
   std::span<FaceTriangle> triangles_;
   /// By half-edge; `none` for edges that must stay.
   Scratch<std::uint32_t> twin_, edge_;
   /// By edge: one of its two half-edges.
   Scratch<std::uint32_t> half_of_;
+  /// By vertex: where one constrained edge leads; the other ones, undirected and in order.
+  Scratch<std::uint32_t> constrained_to_;
+  Scratch<std::uint64_t> barriers_;
+  grid::Buckets<Half> halves_;
 };
 
 /// Whether the other diagonal of the quadrilateral a, d, b, c is clearly better than a b, by the Delaunay criterion in
@@ -414,33 +413,78 @@ class FlipMesh {
 bool prefers_other_diagonal(const std::array<double, 2>& a, const std::array<double, 2>& b,
                             const std::array<double, 2>& c, const std::array<double, 2>& d);
 
-/// Flips edges between triangles of `triangulate` where that avoids slivers; the mesh stays as exact as it was.
-/// `edges`: the boundary edges, none of which is flipped. `approximate`: coordinates by vertex id, in any orthonormal
-/// frame; they only guide. A flip is done only where `orientation` finds both new triangles proper.
-/// Work: O(n log n), each edge is flipped at most 8 times, two orientations for each flip or refusal of one.
+/// Cuts faces into triangles, each with the memory of those before.
 template <PlanarPoints Points>
-void improve_triangles(const Points& points, std::span<const FaceEdge> edges,
-                       std::span<const std::array<double, 2>> approximate, std::span<FaceTriangle> triangles) {
-  constexpr unsigned char max_flips = 8;
-  FlipMesh mesh(triangles, edges);
-  Scratch<unsigned char> flips(mesh.edge_count(), 0), waiting(mesh.edge_count(), 1);
-  Scratch<std::uint32_t> queue(mesh.edge_count());
-  for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) queue[edge] = edge;
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::uint32_t edge = queue[head];
-    waiting[edge] = 0;
-    if (flips[edge] == max_flips) continue;
-    const auto [a, b, c, d] = mesh.quadrilateral(edge);
-    if (!prefers_other_diagonal(approximate[a], approximate[b], approximate[c], approximate[d])) continue;
-    if (points.orientation(a, d, c) <= 0 || points.orientation(d, b, c) <= 0) continue;
-    mesh.flip(edge);
-    ++flips[edge];
-    for (const std::uint32_t side : mesh.sides(edge)) {
-      if (side == FlipMesh::none || waiting[side]) continue;
-      waiting[side] = 1;
-      queue.push_back(side);
+class FaceCutter {
+ public:
+  /// What `points` and `triangles` hold may change from face to face.
+  FaceCutter(const Points& points, std::vector<FaceTriangle>& triangles)
+      : points_(points), triangles_(triangles), sweep_(points, triangles) {}
+
+  /// Appends triangles, counter-clockwise and none collinear, that cover exactly the interior of a face.
+  /// `edges`: directed boundary edges in any order, ids below `vertex_count`, interior on the left. They meet only in
+  /// vertices; loops may touch, slits are present in both directions, and there may be several regions.
+  /// `isolated`: vertices in the interior that no edge uses. Ids that are in neither are ignored.
+  /// The mesh is conforming: each directed boundary edge is in exactly one triangle, any other edge of a triangle in
+  /// exactly two, in opposite directions, and every vertex of `edges` and `isolated` is a corner.
+  /// Time O(n log n). Predicates: about n log2 n comparisons for the order; orientations: at most two for each vertex and
+  /// one for each triangle, and O(log n) to place each vertex where no edge ends and to sort the edges around a vertex.
+  /// False, with nothing appended, when the edges are seen not to bound a face (a loop is open, sides do not match, an
+  /// index is out of range). Edges that cross may go unseen; the triangles are then unspecified.
+  [[nodiscard]] bool triangulate(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
+                                 std::span<const std::uint32_t> isolated) {
+    const std::size_t before = triangles_.size();
+    if (isolated.empty() && single_loop(vertex_count, edges, loop_) && triangulate_convex(points_, loop_, triangles_))
+      return true;
+    if (sweep_.run(vertex_count, edges, isolated)) return true;
+    triangles_.resize(before);
+    return false;
+  }
+
+  /// Flips edges between triangles of `triangulate` where that avoids slivers; the mesh stays as exact as it was.
+  /// `edges`: the boundary edges, none of which is flipped. `approximate`: coordinates by vertex id, in any orthonormal
+  /// frame; they only guide. A flip is done only where `orientation` finds both new triangles proper.
+  /// Work: O(n log n), each edge is flipped at most 8 times, two orientations for each flip or refusal of one.
+  void improve(std::span<const FaceEdge> edges, std::span<const std::array<double, 2>> approximate) {
+    constexpr unsigned char max_flips = 8;
+    mesh_.assign(static_cast<std::uint32_t>(approximate.size()), triangles_, edges);
+    flips_.assign(mesh_.edge_count(), 0);
+    waiting_.assign(mesh_.edge_count(), 1);
+    queue_.resize(mesh_.edge_count());
+    std::iota(queue_.begin(), queue_.end(), 0u);
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      const std::uint32_t edge = queue_[head];
+      waiting_[edge] = 0;
+      if (flips_[edge] == max_flips) continue;
+      const auto [a, b, c, d] = mesh_.quadrilateral(edge);
+      if (!prefers_other_diagonal(approximate[a], approximate[b], approximate[c], approximate[d])) continue;
+      if (points_.orientation(a, d, c) <= 0 || points_.orientation(d, b, c) <= 0) continue;
+      mesh_.flip(edge);
+      ++flips_[edge];
+      for (const std::uint32_t side : mesh_.sides(edge)) {
+        if (side == FlipMesh::none || waiting_[side]) continue;
+        waiting_[side] = 1;
+        queue_.push_back(side);
+      }
     }
   }
+
+ private:
+  const Points& points_;
+  std::vector<FaceTriangle>& triangles_;
+  FaceSweep<Points> sweep_;
+  Scratch<std::uint32_t> loop_;
+  FlipMesh mesh_;
+  /// By edge of the mesh.
+  Scratch<unsigned char> flips_, waiting_;
+  Scratch<std::uint32_t> queue_;
+};
+
+/// Appends the triangles of one face; see `FaceCutter`.
+template <PlanarPoints Points>
+[[nodiscard]] bool triangulate(const Points& points, std::uint32_t vertex_count, std::span<const FaceEdge> edges,
+                               std::span<const std::uint32_t> isolated, std::vector<FaceTriangle>& triangles) {
+  return FaceCutter<Points>(points, triangles).triangulate(vertex_count, edges, isolated);
 }
 
 }  // namespace quoin::booleans

@@ -16,51 +16,73 @@ namespace {
 /// The corners of one polygon seen in its own plane, by local ids.
 class PlanePoints {
  public:
-  PlanePoints(const Body& body, const exact::Plane& plane, const std::vector<std::uint32_t>& ids)
-      : plane_(plane), frame_(plane) {
-    points_.reserve(ids.size());
-    for (std::uint32_t v : ids) {
-      points_.push_back(body.point(v));
-      all_grid_ = all_grid_ && body.is_grid(v);
-    }
+  explicit PlanePoints(const Body& body) : body_(body) {}
+
+  /// Other corners, body vertices by local id, in the memory of those before.
+  void assign(const exact::Plane& plane, std::span<const std::uint32_t> ids) {
+    plane_ = &plane;
+    all_grid_ = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t v) { return body_.is_grid(v); });
+    const Frame frame(plane);
+    u_ = static_cast<std::size_t>(frame.u());
+    v_ = static_cast<std::size_t>(frame.v());
+
+    planar_.resize(ids.size());
+    if (all_grid_)
+      for (std::size_t i = 0; i < ids.size(); ++i) planar_[i] = planar(body_.grid_points[ids[i]]);
+    else
+      assign_exact(ids);
   }
 
   int compare(std::uint32_t a, std::uint32_t b) const {
     if (a == b) return 0;
-    if (const int c = exact::compare_along(frame_.u(), points_[a], points_[b])) return c;
-    return exact::compare_along(frame_.v(), points_[a], points_[b]);
+    if (all_grid_) return planar_[a] < planar_[b] ? -1 : planar_[b] < planar_[a] ? 1 : 0;
+    if (const int c = exact::compare_along(static_cast<int>(u_), *exact_[a], *exact_[b])) return c;
+    return exact::compare_along(static_cast<int>(v_), *exact_[a], *exact_[b]);
   }
 
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    if (!all_grid_) return exact::orientation_in_plane(plane_, points_[a], points_[b], points_[c]);
+    if (!all_grid_) return exact::orientation_in_plane(*plane_, *exact_[a], *exact_[b], *exact_[c]);
 
-    const auto p = planar(a), q = planar(b), r = planar(c);
-    const std::int64_t det = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);  // below 2^61
+    const auto whole = [&](std::uint32_t i, std::size_t k) { return static_cast<std::int64_t>(planar_[i][k]); };
+    const std::int64_t x = whole(a, 0), y = whole(a, 1);
+    const std::int64_t det =
+        (whole(b, 0) - x) * (whole(c, 1) - y) - (whole(b, 1) - y) * (whole(c, 0) - x);  // below 2^61
     return det > 0 ? 1 : det < 0 ? -1 : 0;
   }
 
-  /// Approximate coordinates for shape decisions.
-  std::array<double, 2> approximate(std::uint32_t a) const {
-    const auto& p = points_[a].approximation;
-    return {p[static_cast<std::size_t>(frame_.u())], p[static_cast<std::size_t>(frame_.v())]};
-  }
+  /// Approximate coordinates by local id, for shape decisions.
+  std::span<const std::array<double, 2>> approximate() const { return planar_; }
 
  private:
-  std::array<std::int64_t, 2> planar(std::uint32_t a) const {
-    const auto p = approximate(a);
-    return {static_cast<std::int64_t>(p[0]), static_cast<std::int64_t>(p[1])};
+  template <class Coordinates>
+  std::array<double, 2> planar(const Coordinates& p) const {
+    return {static_cast<double>(p[u_]), static_cast<double>(p[v_])};
   }
 
-  exact::Plane plane_;
-  Frame frame_;
-  Scratch<exact::Point> points_;
+  void assign_exact(std::span<const std::uint32_t> ids) {
+    if (made_.size() < ids.size()) made_.resize(ids.size());
+    exact_.resize(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const std::uint32_t v = ids[i];
+      exact_[i] = body_.is_grid(v) ? &(made_[i] = exact::point(body_.grid_points[v])) : &body_.derived(v);
+      planar_[i] = planar(exact_[i]->approximation);
+    }
+  }
+
+  const Body& body_;
+  const exact::Plane* plane_ = nullptr;
+  std::size_t u_ = 0, v_ = 1;
   bool all_grid_ = true;
+  Array<std::array<double, 2>> planar_;
+  /// Of polygons with derived points: the body's, and grid points that are made into such.
+  Array<const exact::Point*> exact_;
+  Array<exact::Point> made_;
 };
 
 /// Triangulates polygons of a body, each with the memory of those before.
 class Triangulator {
  public:
-  explicit Triangulator(const Body& body) : body_(body) {}
+  explicit Triangulator(const Body& body) : body_(body), points_(body), cutter_(points_, triangles_) {}
 
   /// Appends the corners of the triangles of polygon p.
   void add(std::uint32_t p, std::vector<std::uint32_t>& out) {
@@ -71,62 +93,79 @@ class Triangulator {
       return;
     }
 
-    gather(p);
-    const PlanePoints points(body_, body_.planes[p], ids_);
     triangles_.clear();
-    const bool is_quadrilateral = edges_.size() == 4 && ids_.size() == 4 && isolated_.empty() && is_simple;
-    if (!is_quadrilateral || !cut_quadrilateral(points)) cut(points);
+    if (is_simple && corners.size() == 4) {
+      points_.assign(body_.planes[p], corners);
+      if (cut_quadrilateral()) return append(corners, triangles_, out);
+    }
 
-    for (const FaceTriangle& t : triangles_)
-      for (const std::uint32_t corner : t) out.push_back(ids_[corner]);
+    gather(p);
+    points_.assign(body_.planes[p], ids_);
+    cut();
+    append(ids_, triangles_, out);
   }
 
  private:
-  std::uint32_t local(std::uint32_t v) const {
-    return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), v) - ids_.begin());
+  static void append(std::span<const std::uint32_t> ids, std::span<const FaceTriangle> triangles,
+                     std::vector<std::uint32_t>& out) {
+    for (const FaceTriangle& t : triangles) out.insert(out.end(), {ids[t[0]], ids[t[1]], ids[t[2]]});
   }
 
   /// The polygon's vertices in order, then its edges and isolated points by their numbers in that order.
   void gather(std::uint32_t p) {
-    const auto corners = body_.polygons.corners_of(p);
-    ids_.assign(corners.begin(), corners.end());
-    std::sort(ids_.begin(), ids_.end());
-    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    number_corners(body_.polygons.corners_of(p));
 
     edges_.clear();
     isolated_.clear();
-    body_.polygons.for_points(p, [&](std::uint32_t v) { isolated_.push_back(local(v)); });
-    body_.polygons.for_edges(p, [&](std::uint32_t u, std::uint32_t v) { edges_.push_back({local(u), local(v)}); });
+    std::size_t first = 0;
+    body_.polygons.for_loops(p, [&](std::span<const std::uint32_t> loop) {
+      const auto numbers = std::span(number_).subspan(first, loop.size());
+      first += loop.size();
+      if (numbers.size() == 1) isolated_.push_back(numbers[0]);
+      grid::for_loop_edges(numbers, [&](std::uint32_t u, std::uint32_t v) { edges_.push_back({u, v}); });
+    });
+  }
+
+  /// Numbers the vertices in order.
+  void number_corners(std::span<const std::uint32_t> corners) {
+    sorted_.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) sorted_.push_back(std::uint64_t{corners[i]} << 32 | i);
+    std::sort(sorted_.begin(), sorted_.end());
+
+    ids_.clear();
+    number_.resize(corners.size());
+    for (const std::uint64_t corner : sorted_) {
+      const auto v = static_cast<std::uint32_t>(corner >> 32);
+      if (ids_.empty() || ids_.back() != v) ids_.push_back(v);
+      number_[static_cast<std::uint32_t>(corner)] = static_cast<std::uint32_t>(ids_.size() - 1);
+    }
   }
 
   /// Triangles for any polygon: a sweep, then flips that improve their shapes.
-  void cut(const PlanePoints& points) {
+  void cut() {
     [[maybe_unused]] const bool closed =
-        triangulate(points, static_cast<std::uint32_t>(ids_.size()), edges_, isolated_, triangles_);
+        cutter_.triangulate(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
     assert(closed);
-    if (triangles_.size() < 2) return;
-
-    shape_.resize(ids_.size());
-    for (std::uint32_t i = 0; i < shape_.size(); ++i) shape_[i] = points.approximate(i);
-    improve_triangles(points, edges_, shape_, triangles_);
+    if (triangles_.size() >= 2) cutter_.improve(edges_, points_.approximate());
   }
 
   /// Two triangles for a loop of four corners; false when neither diagonal leaves two proper ones.
-  bool cut_quadrilateral(const PlanePoints& points) {
+  bool cut_quadrilateral() {
     // From the first corner in the plane's own order, wherever the loop begins.
+    std::uint32_t first = 0;
+    for (std::uint32_t i = 1; i < 4; ++i)
+      if (points_.compare(i, first) < 0) first = i;
     std::array<std::uint32_t, 4> c{};
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < 4; ++i)
-      if (points.compare(edges_[i][0], edges_[first][0]) < 0) first = i;
-    for (std::size_t i = 0; i < 4; ++i) c[i] = edges_[(first + i) % 4][0];
+    for (std::uint32_t i = 0; i < 4; ++i) c[i] = (first + i) % 4;
 
     const auto proper = [&](std::size_t i) {  // the diagonal from corner i
-      return points.orientation(c[i], c[i + 1], c[i + 2]) > 0 && points.orientation(c[i + 2], c[(i + 3) % 4], c[i]) > 0;
+      return points_.orientation(c[i], c[i + 1], c[i + 2]) > 0 &&
+             points_.orientation(c[i + 2], c[(i + 3) % 4], c[i]) > 0;
     };
     const bool even = proper(0), odd = proper(1);
     if (!even && !odd) return false;
 
-    const auto at = [&](std::size_t i) { return points.approximate(c[i]); };
+    const auto at = [&](std::size_t i) { return points_.approximate()[c[i]]; };
     if (even && !(odd && prefers_other_diagonal(at(2), at(0), at(1), at(3))))
       triangles_ = {{c[0], c[1], c[2]}, {c[2], c[3], c[0]}};
     else
@@ -135,10 +174,13 @@ class Triangulator {
   }
 
   const Body& body_;
-  std::vector<std::uint32_t> ids_, isolated_;
-  std::vector<FaceEdge> edges_;
+  PlanePoints points_;
   std::vector<FaceTriangle> triangles_;
-  std::vector<std::array<double, 2>> shape_;
+  FaceCutter<PlanePoints> cutter_;
+  Array<std::uint64_t> sorted_;  // corners: the vertex, then the place
+  Array<std::uint32_t> ids_, isolated_;
+  Array<std::uint32_t> number_;  // by corner
+  Array<FaceEdge> edges_;
 };
 
 void append_numbers(Array<std::uint32_t>& list, std::uint32_t begin, std::uint32_t end) {

@@ -154,13 +154,18 @@ std::vector<std::array<double, 2>> doubles(const Face& face) {
   return all;
 }
 
+void improve(const Face& face, const std::vector<std::array<double, 2>>& approximate,
+             std::vector<FaceTriangle>& triangles) {
+  FaceCutter<IntegerPoints>(face.points, triangles).improve(face.edges, approximate);
+}
+
 /// The triangles of a face after all checks, improvement included.
 std::vector<FaceTriangle> checked(const Face& face) {
   std::vector<FaceTriangle> triangles;
   EXPECT_TRUE(triangulate(face.points, face.count(), face.edges, face.isolated, triangles));
   EXPECT_EQ(fault(face, triangles), "");
   std::vector<FaceTriangle> improved = triangles;
-  improve_triangles(face.points, face.edges, doubles(face), improved);
+  improve(face, doubles(face), improved);
   EXPECT_EQ(fault(face, improved), "");
   return triangles;
 }
@@ -540,7 +545,7 @@ TEST(Triangulate, GarbageEndsWithoutACrash) {
     for (std::int64_t i = pick(random, 0, 2); i-- > 0;) face.isolated.push_back(any());
     std::vector<FaceTriangle> triangles;
     refused += triangulate(face.points, face.count(), face.edges, face.isolated, triangles) ? 0 : 1;
-    improve_triangles(face.points, face.edges, doubles(face), triangles);
+    improve(face, doubles(face), triangles);
   });
   EXPECT_GT(refused, 10000u);
 }
@@ -557,12 +562,12 @@ TEST(ImproveTriangles, FlipsTheLongDiagonal) {
   Face face;
   face.add_loop(std::vector<Coordinates>{{0, 0}, {5, -1}, {10, 0}, {5, 1}});
   std::vector<FaceTriangle> triangles = {{0, 1, 2}, {0, 2, 3}};
-  improve_triangles(face.points, face.edges, doubles(face), triangles);
+  improve(face, doubles(face), triangles);
   EXPECT_EQ(fault(face, triangles), "");
   for (const auto& [a, b, c] : triangles) EXPECT_EQ((std::set{a, b, c, 1u, 3u}).size(), 3u);
   face.add_slit(0, 2);  // A slit stays.
   triangles = {{0, 1, 2}, {0, 2, 3}};
-  improve_triangles(face.points, face.edges, doubles(face), triangles);
+  improve(face, doubles(face), triangles);
   EXPECT_EQ(triangles, (std::vector<FaceTriangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
@@ -572,10 +577,10 @@ TEST(ImproveTriangles, ExactOrientationHasTheLastWord) {
   std::vector<FaceTriangle> triangles = {{1, 2, 3}, {0, 1, 3}};
   const std::vector<FaceTriangle> before = triangles;
   const std::vector<std::array<double, 2>> wrong = {{0, 0}, {5, -30}, {10, 0}, {5, 1}};
-  improve_triangles(face.points, face.edges, wrong, triangles);
+  improve(face, wrong, triangles);
   EXPECT_EQ(triangles, before);
   face.points.at[1] = {5, -30};
-  improve_triangles(face.points, face.edges, wrong, triangles);
+  improve(face, wrong, triangles);
   EXPECT_TRUE(triangles != before && fault(face, triangles).empty());
 }
 
@@ -586,10 +591,10 @@ TEST(ImproveTriangles, LowersTheLiftedSurface) {
     std::vector<FaceTriangle> triangles;
     ASSERT_TRUE(triangulate(face.points, face.count(), face.edges, face.isolated, triangles));
     std::vector<FaceTriangle> improved = triangles, again = triangles;
-    improve_triangles(face.points, face.edges, doubles(face), improved);
+    improve(face, doubles(face), improved);
     EXPECT_EQ(fault(face, improved), "");
     EXPECT_LT(lifted_volume(face, improved), lifted_volume(face, triangles));
-    improve_triangles(face.points, face.edges, doubles(face), again);
+    improve(face, doubles(face), again);
     EXPECT_EQ(improved, again);
   });
 }
