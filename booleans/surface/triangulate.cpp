@@ -208,17 +208,36 @@ void FlipMesh::find_barriers(std::uint32_t vertex_count, std::span<const FaceEdg
   std::sort(barriers_.begin(), barriers_.end());
 }
 
-void FlipMesh::assign(std::uint32_t vertex_count, std::span<FaceTriangle> triangles,
-                      std::span<const FaceEdge> constrained) {
-  triangles_ = triangles;
-  twin_.assign(3 * triangles.size(), none);
-  edge_.assign(3 * triangles.size(), none);
-  half_of_.clear();
-  find_barriers(vertex_count, constrained);
+void FlipMesh::add_edge(std::uint32_t half, std::uint32_t twin) {
+  const std::uint32_t edge = edge_count();
+  half_of_.push_back(half);
+  move(half, edge, twin);
+}
 
-  // A half-edge that is left out leaves its twin, if it has one, alone.
+/// Edges in the order of their ends, by a matrix.
+void FlipMesh::find_twins_of_few(std::uint32_t vertex_count, std::span<const FaceEdge> constrained) {
+  constexpr std::uint32_t barrier = none - 1;
+  between_.assign(std::size_t{vertex_count} * vertex_count, none);
+  const auto between = [&](std::uint32_t a, std::uint32_t b) -> std::uint32_t& {
+    return between_[std::size_t{vertex_count} * a + b];
+  };
+  for (const FaceEdge& edge : constrained) between(edge[0], edge[1]) = between(edge[1], edge[0]) = barrier;
+  for (std::uint32_t half = 0; half < corners_.size(); ++half) {
+    std::uint32_t& at = between(origin(half), origin(next_corner(half)));
+    if (at != barrier) at = half;
+  }
+  for (std::uint32_t low = 0; low < vertex_count; ++low)
+    for (std::uint32_t high = low + 1; high < vertex_count; ++high) {
+      const std::uint32_t up = between(low, high), down = between(high, low);
+      if (up < barrier && down < barrier) add_edge(std::min(up, down), std::max(up, down));
+    }
+}
+
+/// The same by sorting. A half-edge that is left out leaves its twin, if it has one, alone.
+void FlipMesh::find_twins_of_many(std::uint32_t vertex_count, std::span<const FaceEdge> constrained) {
+  find_barriers(vertex_count, constrained);
   halves_.assign(vertex_count, [&](auto&& visit) {
-    for (std::uint32_t half = 0; half < twin_.size(); ++half) {
+    for (std::uint32_t half = 0; half < corners_.size(); ++half) {
       const std::uint32_t a = origin(half), b = origin(next_corner(half));
       if (constrained_to_[a] != b) visit(std::min(a, b), Half{std::max(a, b), half});
     }
@@ -231,11 +250,22 @@ void FlipMesh::assign(std::uint32_t vertex_count, std::span<FaceTriangle> triang
     for (std::size_t i = 0; i + 1 < own.size(); ++i) {
       if (own[i].high != own[i + 1].high) continue;
       if (std::binary_search(barriers_.begin(), barriers_.end(), undirected_key(low, own[i].high))) continue;
-      const std::uint32_t edge = edge_count();
-      half_of_.push_back(own[i].half);
-      move(own[i].half, edge, own[i + 1].half);
+      add_edge(own[i].half, own[i + 1].half);
     }
   }
+}
+
+void FlipMesh::assign(std::uint32_t vertex_count, std::span<FaceTriangle> triangles,
+                      std::span<const FaceEdge> constrained) {
+  constexpr std::uint32_t few_vertices = 16;
+  corners_ = {triangles.empty() ? nullptr : triangles[0].data(), 3 * triangles.size()};
+  twin_.assign(corners_.size(), none);
+  edge_.assign(corners_.size(), none);
+  half_of_.clear();
+  if (vertex_count <= few_vertices)
+    find_twins_of_few(vertex_count, constrained);
+  else
+    find_twins_of_many(vertex_count, constrained);
 }
 
 void FlipMesh::move(std::uint32_t half, std::uint32_t edge, std::uint32_t twin) {
@@ -262,14 +292,15 @@ void FlipMesh::flip(std::uint32_t edge) {
     edges[i] = edge_[old[i]];
     twins[i] = twin_[old[i]];
   }
-  const std::uint32_t first = half / 3, second = twin / 3;
-  triangles_[first] = {d, b, c};
-  triangles_[second] = {a, d, c};
-  move(3 * first + 1, edges[0], twins[0]);
-  move(3 * second + 2, edges[1], twins[1]);
-  move(3 * second + 0, edges[2], twins[2]);
-  move(3 * first + 0, edges[3], twins[3]);
-  move(3 * first + 2, edge, 3 * second + 1);
+  const std::uint32_t first = half - half % 3, second = twin - twin % 3;
+  const FaceTriangle left = {d, b, c}, right = {a, d, c};
+  std::copy(left.begin(), left.end(), corners_.begin() + first);
+  std::copy(right.begin(), right.end(), corners_.begin() + second);
+  move(first + 1, edges[0], twins[0]);
+  move(second + 2, edges[1], twins[1]);
+  move(second + 0, edges[2], twins[2]);
+  move(first + 0, edges[3], twins[3]);
+  move(first + 2, edge, second + 1);
 }
 
 std::array<std::uint32_t, 4> FlipMesh::sides(std::uint32_t edge) const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <boost/container/small_vector.hpp>
 #include <concepts>
 #include <cstddef>
@@ -148,12 +149,76 @@ bool gather_segments(std::span<const FaceEdge> edges, const Scratch<std::uint32_
 /// The vertices of the edges, when they are one loop without a repeated vertex; else false.
 bool single_loop(std::uint32_t vertex_count, std::span<const FaceEdge> edges, Scratch<std::uint32_t>& loop);
 
-/// Triangulations by sweep, each with the memory of those before. Inside, vertices are known by their rank in
-/// lexicographic order.
+/// What the sweeps have in common: chains, and the triangles between them and the vertex that is visited. Inside,
+/// vertices are known by their rank in lexicographic order.
 template <PlanarPoints Points>
-class FaceSweep {
+class Sweep {
  public:
-  FaceSweep(const Points& points, std::vector<FaceTriangle>& triangles) : points_(points), triangles_(triangles) {}
+  Sweep(const Points& points, std::vector<FaceTriangle>& triangles) : points_(points), triangles_(triangles) {}
+
+ protected:
+  using Chain = SweepChains::Chain;
+  using Side = SweepStatus::Side;
+  static constexpr Side bottom = SweepStatus::bottom;
+  static constexpr Side top = SweepStatus::top;
+  static constexpr std::uint32_t none = SweepStatus::none;
+
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return points_.orientation(ids_[a], ids_[b], ids_[c]);
+  }
+
+  void sort_ids() {
+    sort_by_few_comparisons(ids_.begin(), ids_.end(),
+                            [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
+  }
+
+  /// Appends v at one end of a chain, with triangles to the edges that it sees from there on.
+  /// Bound: one orientation for each edge seen, and one more.
+  /// Precondition: v sees that end, and either the end is the tip or a segment of the boundary joins it to v.
+  void extend(Chain& chain, Side side, std::uint32_t v) {
+    const Side inward = side == top ? bottom : top;
+    std::uint32_t node = chain.end[side];
+    // Edges between the end and the tip are seen: the chain is convex and the segment from the end to v supports it.
+    bool beyond_tip = node == chain.tip;
+    while (node != chain.end[inward]) {
+      const std::uint32_t next = chains_.neighbour(node, inward);
+      const std::uint32_t lower = chains_.vertex(side == top ? next : node);
+      const std::uint32_t upper = chains_.vertex(side == top ? node : next);
+      if (beyond_tip && orientation(lower, upper, v) >= 0) break;
+      emit(lower, v, upper);
+      node = next;
+      if (node == chain.tip) beyond_tip = true;
+    }
+    chains_.append(chain, side, node, v);
+  }
+
+  /// Triangles from v to the whole chain of an interval whose two segments end in v. None is collinear: all chain
+  /// vertices but the two ends lie strictly between the two segments.
+  void close(const Chain& chain, std::uint32_t v) {
+    if (!chain.exists()) return;
+    for (std::uint32_t node = chain.end[bottom]; node != chain.end[top];) {
+      const std::uint32_t next = chains_.neighbour(node, top);
+      emit(chains_.vertex(node), v, chains_.vertex(next));
+      node = next;
+    }
+  }
+
+  /// Vertex ids by rank.
+  Scratch<std::uint32_t> ids_;
+  SweepChains chains_;
+
+ private:
+  void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({ids_[a], ids_[b], ids_[c]}); }
+
+  const Points& points_;
+  std::vector<FaceTriangle>& triangles_;
+};
+
+/// Triangulations of any faces by sweep, each with the memory of those before.
+template <PlanarPoints Points>
+class FaceSweep : private Sweep<Points> {
+ public:
+  using Sweep<Points>::Sweep;
 
   /// See `triangulate`; on false some triangles may have been appended.
   bool run(std::uint32_t vertex_count, std::span<const FaceEdge> edges, std::span<const std::uint32_t> isolated) {
@@ -173,15 +238,10 @@ class FaceSweep {
   }
 
  private:
-  using Chain = SweepChains::Chain;
-  using Side = SweepStatus::Side;
-  static constexpr Side bottom = SweepStatus::bottom;
-  static constexpr Side top = SweepStatus::top;
-  static constexpr std::uint32_t none = SweepStatus::none;
-
-  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return points_.orientation(ids_[a], ids_[b], ids_[c]);
-  }
+  using Base = Sweep<Points>;
+  using typename Base::Chain;
+  using Base::bottom, Base::top, Base::none;
+  using Base::chains_, Base::close, Base::extend, Base::ids_, Base::orientation;
 
   bool sort_vertices(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                      std::span<const std::uint32_t> isolated) {
@@ -198,8 +258,7 @@ class FaceSweep {
     for (std::uint32_t id = 0; id < vertex_count; ++id) {
       if (rank_[id] != none) ids_.push_back(id);
     }
-    sort_by_few_comparisons(ids_.begin(), ids_.end(),
-                            [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
+    this->sort_ids();
     for (std::uint32_t place = 0; place < ids_.size(); ++place) rank_[ids_[place]] = place;
     return true;
   }
@@ -295,46 +354,10 @@ class FaceSweep {
     for (s = first_out_; s < end_out_; ++s) ending_[segments_[s].right] = s;
   }
 
-  /// Appends v at one end of a chain, with triangles to the edges that it sees from there on.
-  /// Bound: one orientation for each edge seen, and one more.
-  /// Precondition: v sees that end, and either the end is the tip or a segment of the boundary joins it to v.
-  void extend(Chain& chain, Side side, std::uint32_t v) {
-    const Side inward = side == top ? bottom : top;
-    std::uint32_t node = chain.end[side];
-    // Edges between the end and the tip are seen: the chain is convex and the segment from the end to v supports it.
-    bool beyond_tip = node == chain.tip;
-    while (node != chain.end[inward]) {
-      const std::uint32_t next = chains_.neighbour(node, inward);
-      const std::uint32_t lower = chains_.vertex(side == top ? next : node);
-      const std::uint32_t upper = chains_.vertex(side == top ? node : next);
-      if (beyond_tip && orientation(lower, upper, v) >= 0) break;
-      emit(lower, v, upper);
-      node = next;
-      if (node == chain.tip) beyond_tip = true;
-    }
-    chains_.append(chain, side, node, v);
-  }
-
-  /// Triangles from v to the whole chain of an interval whose two segments end in v. None is collinear: all chain
-  /// vertices but the two ends lie strictly between the two segments.
-  void close(const Chain& chain, std::uint32_t v) {
-    if (!chain.exists()) return;
-    for (std::uint32_t node = chain.end[bottom]; node != chain.end[top];) {
-      const std::uint32_t next = chains_.neighbour(node, top);
-      emit(chains_.vertex(node), v, chains_.vertex(next));
-      node = next;
-    }
-  }
-
-  void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({ids_[a], ids_[b], ids_[c]}); }
-
-  const Points& points_;
-  std::vector<FaceTriangle>& triangles_;
-  /// Vertex ids by rank, and ranks by vertex id (`none` for ids that are not used).
-  Scratch<std::uint32_t> ids_, rank_;
+  /// By vertex id; `none` for ids that are not used.
+  Scratch<std::uint32_t> rank_;
   Scratch<SweepSegment> segments_;
   SweepStatus status_;
-  SweepChains chains_;
   /// By segment: the chain of the interval right above an active segment; none when outside.
   Scratch<Chain> interval_;
   /// By rank: how many segments end there, and one of them that is or was active.
@@ -344,6 +367,125 @@ class FaceSweep {
   std::uint32_t first_out_ = 0, end_out_ = 0;
   std::uint32_t below_ = none;
   Chain lower_, upper_;
+};
+
+/// The same triangles for one loop of few corners, none twice. There the inside intervals are all there is to know: each
+/// lies between an edge that runs rightward and one that runs leftward.
+template <PlanarPoints Points>
+class LoopSweep : private Sweep<Points> {
+ public:
+  using Sweep<Points>::Sweep;
+  /// Which interval a vertex is in is asked one interval after the other.
+  static constexpr std::size_t most_corners = 16;
+
+  /// False, perhaps with triangles appended, when the loop is seen not to bound a face.
+  bool run(std::span<const std::uint32_t> loop) {
+    assert(loop.size() <= most_corners);
+    ids_.assign(loop.begin(), loop.end());
+    this->sort_ids();
+    chains_.reset();
+    intervals_.clear();
+    ending_.fill({none, none});
+    for (std::uint32_t v = 0; v < ids_.size(); ++v) {
+      const std::size_t at = static_cast<std::size_t>(std::find(loop.begin(), loop.end(), ids_[v]) - loop.begin());
+      corner_[v] = static_cast<std::uint32_t>(at);
+      rank_[at] = v;
+    }
+    for (std::uint32_t v = 0; v < ids_.size(); ++v)
+      if (!visit(v)) return false;
+    return true;
+  }
+
+ private:
+  using Base = Sweep<Points>;
+  using typename Base::Chain, typename Base::Side;
+  using Base::bottom, Base::top, Base::none;
+  using Base::chains_, Base::close, Base::extend, Base::ids_, Base::orientation;
+
+  /// From its left end to its right one.
+  using Edge = std::array<std::uint32_t, 2>;
+  struct Interval {
+    std::array<Edge, 2> side;  // bottom, top
+    Chain chain;
+  };
+
+  bool visit(std::uint32_t v) {
+    const std::size_t at = corner_[v], count = ids_.size();
+    const std::uint32_t from = rank_[grid::previous_in_loop(at, count)], to = rank_[grid::next_in_loop(at, count)];
+    if (from > v && to > v) return begin(v, from, to);
+    if (from < v && to < v) return end(v);
+    return from < v ? pass(bottom, v, to) : pass(top, v, from);
+  }
+
+  /// A side of the interval ends in v and goes on to `next`.
+  bool pass(Side side, std::uint32_t v, std::uint32_t next) {
+    const std::uint32_t interval = ending_[v][side];
+    if (interval == none) return false;
+    extend(intervals_[interval].chain, side, v);
+    set_side(interval, side, {v, next});
+    return true;
+  }
+
+  /// An interval ends in v, or the outside between two that become one.
+  bool end(std::uint32_t v) {
+    const auto [above, below] = ending_[v];
+    if (above == none || below == none) return false;
+    if (above == below) {
+      close(intervals_[above].chain, v);
+      intervals_[above].chain = {};
+      return true;
+    }
+    extend(intervals_[below].chain, top, v);
+    extend(intervals_[above].chain, bottom, v);
+    intervals_[below].chain = chains_.join(intervals_[below].chain, intervals_[above].chain);
+    intervals_[above].chain = {};
+    set_side(below, top, intervals_[above].side[top]);
+    return true;
+  }
+
+  /// An interval begins in v, or the outside within one.
+  bool begin(std::uint32_t v, std::uint32_t from, std::uint32_t to) {
+    const int turn = orientation(v, to, from);
+    if (turn == 0) return false;
+    const auto fresh = static_cast<std::uint32_t>(intervals_.size());
+    if (turn > 0) {
+      intervals_.push_back({{}, chains_.single(v)});
+      set_side(fresh, top, {v, from});
+    } else {
+      const std::uint32_t around = interval_around(v);
+      if (around == none) return false;
+      const auto [lower, upper] = chains_.split_at_tip(intervals_[around].chain);
+      intervals_.push_back({{}, upper});
+      intervals_[around].chain = lower;
+      extend(intervals_[around].chain, top, v);
+      extend(intervals_[fresh].chain, bottom, v);
+      set_side(fresh, top, intervals_[around].side[top]);
+      set_side(around, top, {v, from});
+    }
+    set_side(fresh, bottom, {v, to});
+    return true;
+  }
+
+  std::uint32_t interval_around(std::uint32_t v) const {
+    for (std::uint32_t i = 0; i < intervals_.size(); ++i) {
+      if (!intervals_[i].chain.exists()) continue;
+      const auto& [lower, upper] = intervals_[i].side;
+      if (orientation(lower[0], lower[1], v) > 0 && orientation(upper[0], upper[1], v) < 0) return i;
+    }
+    return none;
+  }
+
+  void set_side(std::uint32_t interval, Side side, const Edge& edge) {
+    intervals_[interval].side[side] = edge;
+    ending_[edge[1]][side] = interval;
+  }
+
+  /// The corner of each vertex and the vertex of each corner.
+  std::array<std::uint32_t, most_corners> corner_, rank_;
+  /// Those without a chain have ended.
+  Scratch<Interval> intervals_;
+  /// By vertex: the intervals whose bottom and whose top end there.
+  std::array<std::array<std::uint32_t, 2>, most_corners> ending_;
 };
 
 /// Triangles of a strictly convex loop in zigzag. False, with nothing appended, when a corner is not strictly convex.
@@ -388,16 +530,19 @@ class FlipMesh {
   std::array<std::uint32_t, 4> sides(std::uint32_t edge) const;
 
  private:
-  std::uint32_t origin(std::uint32_t half) const { return triangles_[half / 3][half % 3]; }
+  std::uint32_t origin(std::uint32_t half) const { return corners_[half]; }
   void move(std::uint32_t half, std::uint32_t edge, std::uint32_t twin);
 
   /// A half-edge at the lower one of its ends.
   struct Half {
     std::uint32_t high, half;
   };
+  void find_twins_of_few(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
+  void find_twins_of_many(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
   void find_barriers(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
+  void add_edge(std::uint32_t half, std::uint32_t twin);
 
-  std::span<FaceTriangle> triangles_;
+  std::span<std::uint32_t> corners_;  // three a triangle
   /// By half-edge; `none` for edges that must stay.
   Scratch<std::uint32_t> twin_, edge_;
   /// By edge: one of its two half-edges.
@@ -406,6 +551,8 @@ class FlipMesh {
   Scratch<std::uint32_t> constrained_to_;
   Scratch<std::uint64_t> barriers_;
   grid::Buckets<Half> halves_;
+  /// By two vertices of few: the half-edge from the first one to the second.
+  Scratch<std::uint32_t> between_;
 };
 
 /// Whether the other diagonal of the quadrilateral a, d, b, c is clearly better than a b, by the Delaunay criterion in
@@ -419,7 +566,7 @@ class FaceCutter {
  public:
   /// What `points` and `triangles` hold may change from face to face.
   FaceCutter(const Points& points, std::vector<FaceTriangle>& triangles)
-      : points_(points), triangles_(triangles), sweep_(points, triangles) {}
+      : points_(points), triangles_(triangles), loop_sweep_(points, triangles), sweep_(points, triangles) {}
 
   /// Appends triangles, counter-clockwise and none collinear, that cover exactly the interior of a face.
   /// `edges`: directed boundary edges in any order, ids below `vertex_count`, interior on the left. They meet only in
@@ -434,8 +581,11 @@ class FaceCutter {
   [[nodiscard]] bool triangulate(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                                  std::span<const std::uint32_t> isolated) {
     const std::size_t before = triangles_.size();
-    if (isolated.empty() && single_loop(vertex_count, edges, loop_) && triangulate_convex(points_, loop_, triangles_))
-      return true;
+    if (isolated.empty() && single_loop(vertex_count, edges, loop_)) {
+      if (triangulate_convex(points_, loop_, triangles_)) return true;
+      if (loop_.size() <= LoopSweep<Points>::most_corners && loop_sweep_.run({loop_.data(), loop_.size()})) return true;
+      triangles_.resize(before);
+    }
     if (sweep_.run(vertex_count, edges, isolated)) return true;
     triangles_.resize(before);
     return false;
@@ -472,6 +622,7 @@ class FaceCutter {
  private:
   const Points& points_;
   std::vector<FaceTriangle>& triangles_;
+  LoopSweep<Points> loop_sweep_;
   FaceSweep<Points> sweep_;
   Scratch<std::uint32_t> loop_;
   FlipMesh mesh_;
