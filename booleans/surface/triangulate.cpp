@@ -214,21 +214,31 @@ void FlipMesh::add_edge(std::uint32_t half, std::uint32_t twin) {
   move(half, edge, twin);
 }
 
+template <class Visit>
+void FlipMesh::for_halves(Visit&& visit) const {
+  for (std::uint32_t half = 0; half < corners_.size(); half += 3) {
+    const std::uint32_t a = corners_[half], b = corners_[half + 1], c = corners_[half + 2];
+    visit(half, a, b);
+    visit(half + 1, b, c);
+    visit(half + 2, c, a);
+  }
+}
+
 /// Edges in the order of their ends, by a matrix.
 void FlipMesh::find_twins_of_few(std::uint32_t vertex_count, std::span<const FaceEdge> constrained) {
-  constexpr std::uint32_t barrier = none - 1;
-  between_.assign(std::size_t{vertex_count} * vertex_count, none);
-  const auto between = [&](std::uint32_t a, std::uint32_t b) -> std::uint32_t& {
-    return between_[std::size_t{vertex_count} * a + b];
+  constexpr std::uint8_t empty = 255, barrier = 254;
+  std::fill_n(between_.begin(), vertex_count * vertex_count, empty);
+  const auto between = [&](std::uint32_t a, std::uint32_t b) -> std::uint8_t& {
+    return between_[vertex_count * a + b];
   };
   for (const FaceEdge& edge : constrained) between(edge[0], edge[1]) = between(edge[1], edge[0]) = barrier;
-  for (std::uint32_t half = 0; half < corners_.size(); ++half) {
-    std::uint32_t& at = between(origin(half), origin(next_corner(half)));
-    if (at != barrier) at = half;
-  }
+  for_halves([&](std::uint32_t half, std::uint32_t a, std::uint32_t b) {
+    if (between(a, b) != barrier) between(a, b) = static_cast<std::uint8_t>(half);
+  });
+
   for (std::uint32_t low = 0; low < vertex_count; ++low)
     for (std::uint32_t high = low + 1; high < vertex_count; ++high) {
-      const std::uint32_t up = between(low, high), down = between(high, low);
+      const std::uint8_t up = between(low, high), down = between(high, low);
       if (up < barrier && down < barrier) add_edge(std::min(up, down), std::max(up, down));
     }
 }
@@ -237,10 +247,9 @@ void FlipMesh::find_twins_of_few(std::uint32_t vertex_count, std::span<const Fac
 void FlipMesh::find_twins_of_many(std::uint32_t vertex_count, std::span<const FaceEdge> constrained) {
   find_barriers(vertex_count, constrained);
   halves_.assign(vertex_count, [&](auto&& visit) {
-    for (std::uint32_t half = 0; half < corners_.size(); ++half) {
-      const std::uint32_t a = origin(half), b = origin(next_corner(half));
+    for_halves([&](std::uint32_t half, std::uint32_t a, std::uint32_t b) {
       if (constrained_to_[a] != b) visit(std::min(a, b), Half{std::max(a, b), half});
-    }
+    });
   });
   for (std::uint32_t low = 0; low < vertex_count; ++low) {
     const auto own = halves_[low];
@@ -257,40 +266,37 @@ void FlipMesh::find_twins_of_many(std::uint32_t vertex_count, std::span<const Fa
 
 void FlipMesh::assign(std::uint32_t vertex_count, std::span<FaceTriangle> triangles,
                       std::span<const FaceEdge> constrained) {
-  constexpr std::uint32_t few_vertices = 16;
   corners_ = {triangles.empty() ? nullptr : triangles[0].data(), 3 * triangles.size()};
-  twin_.assign(corners_.size(), none);
-  edge_.assign(corners_.size(), none);
+  links_.assign(corners_.size(), Link{});
   half_of_.clear();
-  if (vertex_count <= few_vertices)
+  // A triangulation of few vertices has less than six half-edges for each of them.
+  if (vertex_count <= few_vertices && corners_.size() < 6 * few_vertices)
     find_twins_of_few(vertex_count, constrained);
   else
     find_twins_of_many(vertex_count, constrained);
 }
 
 void FlipMesh::move(std::uint32_t half, std::uint32_t edge, std::uint32_t twin) {
-  twin_[half] = twin;
-  edge_[half] = edge;
+  links_[half] = {twin, edge};
   if (edge == none) return;
-  twin_[twin] = half;
-  edge_[twin] = edge;
+  links_[twin] = {half, edge};
   half_of_[edge] = half;
 }
 
 std::array<std::uint32_t, 4> FlipMesh::quadrilateral(std::uint32_t edge) const {
-  const std::uint32_t half = half_of_[edge], twin = twin_[half];
+  const std::uint32_t half = half_of_[edge], twin = links_[half].twin;
   return {origin(half), origin(twin), origin(previous_corner(half)), origin(previous_corner(twin))};
 }
 
 void FlipMesh::flip(std::uint32_t edge) {
   const auto [a, b, c, d] = quadrilateral(edge);
-  const std::uint32_t half = half_of_[edge], twin = twin_[half];
+  const std::uint32_t half = half_of_[edge], twin = links_[half].twin;
   const std::array<std::uint32_t, 4> old = {next_corner(half), previous_corner(half), next_corner(twin),
                                             previous_corner(twin)};
   std::array<std::uint32_t, 4> edges, twins;
   for (std::size_t i = 0; i < 4; ++i) {
-    edges[i] = edge_[old[i]];
-    twins[i] = twin_[old[i]];
+    edges[i] = links_[old[i]].edge;
+    twins[i] = links_[old[i]].twin;
   }
   const std::uint32_t first = half - half % 3, second = twin - twin % 3;
   const FaceTriangle left = {d, b, c}, right = {a, d, c};
@@ -304,9 +310,9 @@ void FlipMesh::flip(std::uint32_t edge) {
 }
 
 std::array<std::uint32_t, 4> FlipMesh::sides(std::uint32_t edge) const {
-  const std::uint32_t half = half_of_[edge], twin = twin_[half];
-  return {edge_[next_corner(half)], edge_[previous_corner(half)], edge_[next_corner(twin)],
-          edge_[previous_corner(twin)]};
+  const std::uint32_t half = half_of_[edge], twin = links_[half].twin;
+  return {links_[next_corner(half)].edge, links_[previous_corner(half)].edge, links_[next_corner(twin)].edge,
+          links_[previous_corner(twin)].edge};
 }
 
 bool prefers_other_diagonal(const std::array<double, 2>& a, const std::array<double, 2>& b,

@@ -167,9 +167,10 @@ class Sweep {
     return points_.orientation(ids_[a], ids_[b], ids_[c]);
   }
 
-  void sort_ids() {
-    sort_by_few_comparisons(ids_.begin(), ids_.end(),
-                            [this](std::uint32_t a, std::uint32_t b) { return points_.compare(a, b) < 0; });
+  template <class Iterator, class IdOf>
+  void sort(Iterator begin, Iterator end, IdOf id_of) {
+    sort_by_few_comparisons(
+        begin, end, [&](std::uint32_t a, std::uint32_t b) { return points_.compare(id_of(a), id_of(b)) < 0; });
   }
 
   /// Appends v at one end of a chain, with triangles to the edges that it sees from there on.
@@ -258,7 +259,7 @@ class FaceSweep : private Sweep<Points> {
     for (std::uint32_t id = 0; id < vertex_count; ++id) {
       if (rank_[id] != none) ids_.push_back(id);
     }
-    this->sort_ids();
+    this->sort(ids_.begin(), ids_.end(), [](std::uint32_t id) { return id; });
     for (std::uint32_t place = 0; place < ids_.size(); ++place) rank_[ids_[place]] = place;
     return true;
   }
@@ -381,16 +382,17 @@ class LoopSweep : private Sweep<Points> {
   /// False, perhaps with triangles appended, when the loop is seen not to bound a face.
   bool run(std::span<const std::uint32_t> loop) {
     assert(loop.size() <= most_corners);
-    ids_.assign(loop.begin(), loop.end());
-    this->sort_ids();
+    const auto count = static_cast<std::uint32_t>(loop.size());
+    std::iota(corner_.begin(), corner_.begin() + count, 0u);
+    this->sort(corner_.begin(), corner_.begin() + count, [&](std::uint32_t corner) { return loop[corner]; });
+    ids_.resize(count);
+    for (std::uint32_t v = 0; v < count; ++v) {
+      ids_[v] = loop[corner_[v]];
+      rank_[corner_[v]] = v;
+      ending_[v] = {none, none};
+    }
     chains_.reset();
     intervals_.clear();
-    ending_.fill({none, none});
-    for (std::uint32_t v = 0; v < ids_.size(); ++v) {
-      const std::size_t at = static_cast<std::size_t>(std::find(loop.begin(), loop.end(), ids_[v]) - loop.begin());
-      corner_[v] = static_cast<std::uint32_t>(at);
-      rank_[at] = v;
-    }
     for (std::uint32_t v = 0; v < ids_.size(); ++v)
       if (!visit(v)) return false;
     return true;
@@ -490,7 +492,7 @@ class LoopSweep : private Sweep<Points> {
 
 /// Triangles of a strictly convex loop in zigzag. False, with nothing appended, when a corner is not strictly convex.
 template <PlanarPoints Points>
-bool triangulate_convex(const Points& points, const Scratch<std::uint32_t>& loop,
+bool triangulate_convex(const Points& points, std::span<const std::uint32_t> loop,
                         std::vector<FaceTriangle>& triangles) {
   const std::size_t count = loop.size();
   if (count < 3) return false;
@@ -541,10 +543,16 @@ class FlipMesh {
   void find_twins_of_many(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
   void find_barriers(std::uint32_t vertex_count, std::span<const FaceEdge> constrained);
   void add_edge(std::uint32_t half, std::uint32_t twin);
+  /// visit(half-edge, from, to).
+  template <class Visit>
+  void for_halves(Visit&& visit) const;
 
   std::span<std::uint32_t> corners_;  // three a triangle
-  /// By half-edge; `none` for edges that must stay.
-  Scratch<std::uint32_t> twin_, edge_;
+  /// Of a half-edge; `none` for edges that must stay.
+  struct Link {
+    std::uint32_t twin = none, edge = none;
+  };
+  Scratch<Link> links_;
   /// By edge: one of its two half-edges.
   Scratch<std::uint32_t> half_of_;
   /// By vertex: where one constrained edge leads; the other ones, undirected and in order.
@@ -552,7 +560,8 @@ class FlipMesh {
   Scratch<std::uint64_t> barriers_;
   grid::Buckets<Half> halves_;
   /// By two vertices of few: the half-edge from the first one to the second.
-  Scratch<std::uint32_t> between_;
+  static constexpr std::uint32_t few_vertices = 16;
+  std::array<std::uint8_t, few_vertices * few_vertices> between_;
 };
 
 /// Whether the other diagonal of the quadrilateral a, d, b, c is clearly better than a b, by the Delaunay criterion in
@@ -578,64 +587,77 @@ class FaceCutter {
   /// one for each triangle, and O(log n) to place each vertex where no edge ends and to sort the edges around a vertex.
   /// False, with nothing appended, when the edges are seen not to bound a face (a loop is open, sides do not match, an
   /// index is out of range). Edges that cross may go unseen; the triangles are then unspecified.
-  [[nodiscard]] bool triangulate(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
-                                 std::span<const std::uint32_t> isolated) {
+  [[nodiscard]] bool cut(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
+                         std::span<const std::uint32_t> isolated) {
     const std::size_t before = triangles_.size();
-    if (isolated.empty() && single_loop(vertex_count, edges, loop_)) {
-      if (triangulate_convex(points_, loop_, triangles_)) return true;
-      if (loop_.size() <= LoopSweep<Points>::most_corners && loop_sweep_.run({loop_.data(), loop_.size()})) return true;
-      triangles_.resize(before);
-    }
     if (sweep_.run(vertex_count, edges, isolated)) return true;
     triangles_.resize(before);
     return false;
   }
 
-  /// Flips edges between triangles of `triangulate` where that avoids slivers; the mesh stays as exact as it was.
+  /// The same for one loop without a repeated vertex. False, with nothing appended, also when it has many corners and is
+  /// not strictly convex.
+  [[nodiscard]] bool cut_loop(std::span<const std::uint32_t> loop) {
+    const std::size_t before = triangles_.size();
+    if (triangulate_convex(points_, loop, triangles_)) return true;
+    if (loop.size() <= LoopSweep<Points>::most_corners && loop_sweep_.run(loop)) return true;
+    triangles_.resize(before);
+    return false;
+  }
+
+  /// Flips edges between the triangles where that avoids slivers; the mesh stays as exact as it was.
   /// `edges`: the boundary edges, none of which is flipped. `approximate`: coordinates by vertex id, in any orthonormal
   /// frame; they only guide. A flip is done only where `orientation` finds both new triangles proper.
   /// Work: O(n log n), each edge is flipped at most 8 times, two orientations for each flip or refusal of one.
   void improve(std::span<const FaceEdge> edges, std::span<const std::array<double, 2>> approximate) {
     constexpr unsigned char max_flips = 8;
     mesh_.assign(static_cast<std::uint32_t>(approximate.size()), triangles_, edges);
-    flips_.assign(mesh_.edge_count(), 0);
-    waiting_.assign(mesh_.edge_count(), 1);
+    states_.assign(mesh_.edge_count(), State{});
     queue_.resize(mesh_.edge_count());
     std::iota(queue_.begin(), queue_.end(), 0u);
     for (std::size_t head = 0; head < queue_.size(); ++head) {
       const std::uint32_t edge = queue_[head];
-      waiting_[edge] = 0;
-      if (flips_[edge] == max_flips) continue;
+      State& state = states_[edge];
+      state.waiting = false;
+      if (state.flips == max_flips) continue;
       const auto [a, b, c, d] = mesh_.quadrilateral(edge);
       if (!prefers_other_diagonal(approximate[a], approximate[b], approximate[c], approximate[d])) continue;
       if (points_.orientation(a, d, c) <= 0 || points_.orientation(d, b, c) <= 0) continue;
       mesh_.flip(edge);
-      ++flips_[edge];
+      ++state.flips;
       for (const std::uint32_t side : mesh_.sides(edge)) {
-        if (side == FlipMesh::none || waiting_[side]) continue;
-        waiting_[side] = 1;
+        if (side == FlipMesh::none || states_[side].waiting) continue;
+        states_[side].waiting = true;
         queue_.push_back(side);
       }
     }
   }
 
  private:
+  /// Of an edge of the mesh.
+  struct State {
+    unsigned char flips = 0;
+    bool waiting = true;  // in the queue
+  };
+
   const Points& points_;
   std::vector<FaceTriangle>& triangles_;
   LoopSweep<Points> loop_sweep_;
   FaceSweep<Points> sweep_;
-  Scratch<std::uint32_t> loop_;
   FlipMesh mesh_;
-  /// By edge of the mesh.
-  Scratch<unsigned char> flips_, waiting_;
+  Scratch<State> states_;
   Scratch<std::uint32_t> queue_;
 };
 
-/// Appends the triangles of one face; see `FaceCutter`.
+/// Appends the triangles of one face; see `FaceCutter::cut`.
 template <PlanarPoints Points>
 [[nodiscard]] bool triangulate(const Points& points, std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                                std::span<const std::uint32_t> isolated, std::vector<FaceTriangle>& triangles) {
-  return FaceCutter<Points>(points, triangles).triangulate(vertex_count, edges, isolated);
+  FaceCutter<Points> cutter(points, triangles);
+  Scratch<std::uint32_t> loop;
+  if (isolated.empty() && single_loop(vertex_count, edges, loop) && cutter.cut_loop({loop.data(), loop.size()}))
+    return true;
+  return cutter.cut(vertex_count, edges, isolated);
 }
 
 }  // namespace quoin::booleans

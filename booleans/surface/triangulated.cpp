@@ -34,10 +34,8 @@ class PlanePoints {
   }
 
   int compare(std::uint32_t a, std::uint32_t b) const {
-    if (a == b) return 0;
-    if (all_grid_) return planar_[a] < planar_[b] ? -1 : planar_[b] < planar_[a] ? 1 : 0;
-    if (const int c = exact::compare_along(static_cast<int>(u_), *exact_[a], *exact_[b])) return c;
-    return exact::compare_along(static_cast<int>(v_), *exact_[a], *exact_[b]);
+    if (const int c = compare_along(0, a, b)) return c;
+    return compare_along(1, a, b);
   }
 
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -57,6 +55,12 @@ class PlanePoints {
   template <class Coordinates>
   std::array<double, 2> planar(const Coordinates& p) const {
     return {static_cast<double>(p[u_]), static_cast<double>(p[v_])};
+  }
+
+  int compare_along(std::size_t k, std::uint32_t a, std::uint32_t b) const {
+    return exact::compare_rounded(planar_[a][k], planar_[b][k], [&] {
+      return all_grid_ || a == b ? 0 : exact::compare_along(static_cast<int>(k == 0 ? u_ : v_), *exact_[a], *exact_[b]);
+    });
   }
 
   void assign_exact(std::span<const std::uint32_t> ids) {
@@ -96,19 +100,22 @@ class Triangulator {
     triangles_.clear();
     if (is_simple && corners.size() == 4) {
       points_.assign(body_.planes[p], corners);
-      if (cut_quadrilateral()) return append(corners, triangles_, out);
+      if (cut_quadrilateral()) return append(corners, out);
     }
 
     gather(p);
     points_.assign(body_.planes[p], ids_);
-    cut();
-    append(ids_, triangles_, out);
+    cut(is_simple && ids_.size() == corners.size());
+    append(ids_, out);
   }
 
  private:
-  static void append(std::span<const std::uint32_t> ids, std::span<const FaceTriangle> triangles,
-                     std::vector<std::uint32_t>& out) {
-    for (const FaceTriangle& t : triangles) out.insert(out.end(), {ids[t[0]], ids[t[1]], ids[t[2]]});
+  void append(std::span<const std::uint32_t> ids, std::vector<std::uint32_t>& out) const {
+    const std::size_t size = out.size();
+    out.resize(size + 3 * triangles_.size());
+    auto next = out.begin() + static_cast<std::ptrdiff_t>(size);
+    for (const FaceTriangle& t : triangles_)
+      for (const std::uint32_t corner : t) *next++ = ids[corner];
   }
 
   /// The polygon's vertices in order, then its edges and isolated points by their numbers in that order.
@@ -142,9 +149,10 @@ class Triangulator {
   }
 
   /// Triangles for any polygon: a sweep, then flips that improve their shapes.
-  void cut() {
+  void cut(bool is_loop) {
     [[maybe_unused]] const bool closed =
-        cutter_.triangulate(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
+        (is_loop && cutter_.cut_loop(number_)) ||
+        cutter_.cut(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
     assert(closed);
     if (triangles_.size() >= 2) cutter_.improve(edges_, points_.approximate());
   }
@@ -166,10 +174,10 @@ class Triangulator {
     if (!even && !odd) return false;
 
     const auto at = [&](std::size_t i) { return points_.approximate()[c[i]]; };
-    if (even && !(odd && prefers_other_diagonal(at(2), at(0), at(1), at(3))))
-      triangles_ = {{c[0], c[1], c[2]}, {c[2], c[3], c[0]}};
-    else
-      triangles_ = {{c[1], c[2], c[3]}, {c[3], c[0], c[1]}};
+    const bool stays = even && !(odd && prefers_other_diagonal(at(2), at(0), at(1), at(3)));
+    const std::uint32_t i = stays ? 0 : 1;
+    triangles_.push_back({c[i], c[i + 1], c[i + 2]});
+    triangles_.push_back({c[i + 2], c[(i + 3) % 4], c[i]});
     return true;
   }
 
