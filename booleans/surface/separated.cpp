@@ -19,14 +19,32 @@ using exact::Rational;
 
 namespace {
 
+/// Where the triangles around a vertex lead from a neighbour.
+struct Step {
+  std::uint32_t around = none, to = none;
+};
+
+/// As `is_one_fan`, with a list of steps by neighbour in place of a search: a walk that comes back to its start after as
+/// many steps as there are spokes, not earlier, has taken each of them.
+bool is_one_fan_around(std::uint32_t v, std::span<const Spoke> star, Array<Step>& steps) {
+  for (const Spoke& s : star) steps[s.a] = {v, s.b};
+  std::uint32_t at = star[0].a;
+  for (std::size_t taken = 1; taken <= star.size() && steps[at].around == v; ++taken) {
+    at = steps[at].to;
+    if (at == star[0].a) return taken == star.size();
+  }
+  return false;
+}
+
 /// By vertex: do its triangles form several fans? Empty when those of no vertex do.
 Array<std::uint8_t> with_several_fans(const Triangulated& mesh) {
   Array<std::uint8_t> several(mesh.vertex_count());
   std::atomic<bool> any = false;
   grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
-    grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
+    const grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
+    Array<Step> steps(several.size());
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
-      if (!is_one_fan(spokes_of[v - begin])) several[v] = any = true;
+      if (!is_one_fan_around(v, spokes_of[v - begin], steps)) several[v] = any = true;
   });
 
   if (!any) several.clear();

@@ -254,8 +254,8 @@ void FlipMesh::find_twins_of_many(std::uint32_t vertex_count, std::span<const Fa
   for (std::uint32_t low = 0; low < vertex_count; ++low) {
     const auto own = halves_[low];
     if (own.size() < 2) continue;
-    std::sort(own.begin(), own.end(),
-              [](const Half& a, const Half& b) { return a.high != b.high ? a.high < b.high : a.half < b.half; });
+    const auto less = [](const Half& a, const Half& b) { return a.high < b.high; };
+    sort_by_few_comparisons(own.begin(), own.end(), less);
     for (std::size_t i = 0; i + 1 < own.size(); ++i) {
       if (own[i].high != own[i + 1].high) continue;
       if (std::binary_search(barriers_.begin(), barriers_.end(), undirected_key(low, own[i].high))) continue;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <boost/container/small_vector.hpp>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +28,9 @@ using FaceEdge = std::array<std::uint32_t, 2>;
 /// Three vertex ids, counter-clockwise.
 using FaceTriangle = std::array<std::uint32_t, 3>;
 
-/// A list that asks for no memory while it is short, as those of most faces are.
+/// A list that is filled again for each face.
 template <class T>
-using Scratch = boost::container::small_vector<T, 16>;
+using Scratch = grid::Array<T>;
 
 /// Stable. Insertion for short lists, else merging, which takes the fewest comparisons of the standard sorts.
 template <class Iterator, class Less>
@@ -255,10 +254,11 @@ class FaceSweep : private Sweep<Points> {
       if (id >= vertex_count) return false;
       rank_[id] = 0;
     }
-    ids_.clear();
-    for (std::uint32_t id = 0; id < vertex_count; ++id) {
-      if (rank_[id] != none) ids_.push_back(id);
-    }
+    ids_.resize(vertex_count);
+    std::size_t used = 0;
+    for (std::uint32_t id = 0; id < vertex_count; ++id)
+      if (rank_[id] != none) ids_[used++] = id;
+    ids_.resize(used);
     this->sort(ids_.begin(), ids_.end(), [](std::uint32_t id) { return id; });
     for (std::uint32_t place = 0; place < ids_.size(); ++place) rank_[ids_[place]] = place;
     return true;

@@ -28,7 +28,7 @@ class PlanePoints {
 
     planar_.resize(ids.size());
     if (all_grid_)
-      for (std::size_t i = 0; i < ids.size(); ++i) planar_[i] = planar(body_.grid_points[ids[i]]);
+      assign_grid(ids);
     else
       assign_exact(ids);
   }
@@ -41,10 +41,8 @@ class PlanePoints {
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (!all_grid_) return exact::orientation_in_plane(*plane_, *exact_[a], *exact_[b], *exact_[c]);
 
-    const auto whole = [&](std::uint32_t i, std::size_t k) { return static_cast<std::int64_t>(planar_[i][k]); };
-    const std::int64_t x = whole(a, 0), y = whole(a, 1);
-    const std::int64_t det =
-        (whole(b, 0) - x) * (whole(c, 1) - y) - (whole(b, 1) - y) * (whole(c, 0) - x);  // below 2^61
+    const auto &p = whole_[a], &q = whole_[b], &r = whole_[c];
+    const std::int64_t det = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);  // below 2^61
     return det > 0 ? 1 : det < 0 ? -1 : 0;
   }
 
@@ -52,9 +50,13 @@ class PlanePoints {
   std::span<const std::array<double, 2>> approximate() const { return planar_; }
 
  private:
-  template <class Coordinates>
-  std::array<double, 2> planar(const Coordinates& p) const {
-    return {static_cast<double>(p[u_]), static_cast<double>(p[v_])};
+  void assign_grid(std::span<const std::uint32_t> ids) {
+    whole_.resize(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const exact::GridPoint& p = body_.grid_points[ids[i]];
+      whole_[i] = {p.c[u_], p.c[v_]};
+      planar_[i] = {static_cast<double>(p.c[u_]), static_cast<double>(p.c[v_])};
+    }
   }
 
   int compare_along(std::size_t k, std::uint32_t a, std::uint32_t b) const {
@@ -69,7 +71,7 @@ class PlanePoints {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const std::uint32_t v = ids[i];
       exact_[i] = body_.is_grid(v) ? &(made_[i] = exact::point(body_.grid_points[v])) : &body_.derived(v);
-      planar_[i] = planar(exact_[i]->approximation);
+      planar_[i] = {exact_[i]->approximation[u_], exact_[i]->approximation[v_]};
     }
   }
 
@@ -78,6 +80,8 @@ class PlanePoints {
   std::size_t u_ = 0, v_ = 1;
   bool all_grid_ = true;
   Array<std::array<double, 2>> planar_;
+  /// Of polygons of grid points.
+  Array<std::array<std::int64_t, 2>> whole_;
   /// Of polygons with derived points: the body's, and grid points that are made into such.
   Array<const exact::Point*> exact_;
   Array<exact::Point> made_;
