@@ -576,6 +576,8 @@ class FaceCutter {
   /// What `points` and `triangles` hold may change from face to face.
   FaceCutter(const Points& points, std::vector<FaceTriangle>& triangles)
       : points_(points), triangles_(triangles), loop_sweep_(points, triangles), sweep_(points, triangles) {}
+  FaceCutter(const FaceCutter&) = delete;
+  FaceCutter& operator=(const FaceCutter&) = delete;
 
   /// Appends triangles, counter-clockwise and none collinear, that cover exactly the interior of a face.
   /// `edges`: directed boundary edges in any order, ids below `vertex_count`, interior on the left. They meet only in

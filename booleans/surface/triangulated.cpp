@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <optional>
 
 #include "booleans/arrangement/frame.h"
 #include "booleans/surface/triangulate.h"
 #include "exact/predicates.h"
 #include "grid/balance.h"
+#include "grid/lists/kept.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -16,21 +18,19 @@ namespace {
 /// The corners of one polygon seen in its own plane, by local ids.
 class PlanePoints {
  public:
-  explicit PlanePoints(const Body& body) : body_(body) {}
-
-  /// Other corners, body vertices by local id, in the memory of those before.
-  void assign(const exact::Plane& plane, std::span<const std::uint32_t> ids) {
+  /// Other corners, vertices of the body by local id, in the memory of those before.
+  void assign(const Body& body, const exact::Plane& plane, std::span<const std::uint32_t> ids) {
     plane_ = &plane;
-    all_grid_ = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t v) { return body_.is_grid(v); });
+    all_grid_ = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t v) { return body.is_grid(v); });
     const Frame frame(plane);
     u_ = static_cast<std::size_t>(frame.u());
     v_ = static_cast<std::size_t>(frame.v());
 
     planar_.resize(ids.size());
     if (all_grid_)
-      assign_grid(ids);
+      assign_grid(body, ids);
     else
-      assign_exact(ids);
+      assign_exact(body, ids);
   }
 
   int compare(std::uint32_t a, std::uint32_t b) const {
@@ -50,10 +50,10 @@ class PlanePoints {
   std::span<const std::array<double, 2>> approximate() const { return planar_; }
 
  private:
-  void assign_grid(std::span<const std::uint32_t> ids) {
+  void assign_grid(const Body& body, std::span<const std::uint32_t> ids) {
     whole_.resize(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      const exact::GridPoint& p = body_.grid_points[ids[i]];
+      const exact::GridPoint& p = body.grid_points[ids[i]];
       whole_[i] = {p.c[u_], p.c[v_]};
       planar_[i] = {static_cast<double>(p.c[u_]), static_cast<double>(p.c[v_])};
     }
@@ -65,17 +65,16 @@ class PlanePoints {
     });
   }
 
-  void assign_exact(std::span<const std::uint32_t> ids) {
+  void assign_exact(const Body& body, std::span<const std::uint32_t> ids) {
     if (made_.size() < ids.size()) made_.resize(ids.size());
     exact_.resize(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const std::uint32_t v = ids[i];
-      exact_[i] = body_.is_grid(v) ? &(made_[i] = exact::point(body_.grid_points[v])) : &body_.derived(v);
+      exact_[i] = body.is_grid(v) ? &(made_[i] = exact::point(body.grid_points[v])) : &body.derived(v);
       planar_[i] = {exact_[i]->approximation[u_], exact_[i]->approximation[v_]};
     }
   }
 
-  const Body& body_;
   const exact::Plane* plane_ = nullptr;
   std::size_t u_ = 0, v_ = 1;
   bool all_grid_ = true;
@@ -87,15 +86,15 @@ class PlanePoints {
   Array<exact::Point> made_;
 };
 
-/// Triangulates polygons of a body, each with the memory of those before.
+/// Triangulates polygons, each with the memory of those before.
 class Triangulator {
  public:
-  explicit Triangulator(const Body& body) : body_(body), points_(body), cutter_(points_, triangles_) {}
+  Triangulator() : cutter_(points_, triangles_) {}
 
-  /// Appends the corners of the triangles of polygon p.
-  void add(std::uint32_t p, std::vector<std::uint32_t>& out) {
-    const auto corners = body_.polygons.corners_of(p);
-    const bool is_simple = body_.polygons.loop_count(p) == 1;
+  /// Appends the corners of the triangles of polygon p of a body.
+  void add(const Body& body, std::uint32_t p, std::vector<std::uint32_t>& out) {
+    const auto corners = body.polygons.corners_of(p);
+    const bool is_simple = body.polygons.loop_count(p) == 1;
     if (is_simple && corners.size() == 3) {
       out.insert(out.end(), corners.begin(), corners.end());
       return;
@@ -103,12 +102,12 @@ class Triangulator {
 
     triangles_.clear();
     if (is_simple && corners.size() == 4) {
-      points_.assign(body_.planes[p], corners);
+      points_.assign(body, body.planes[p], corners);
       if (cut_quadrilateral()) return append(corners, out);
     }
 
-    gather(p);
-    points_.assign(body_.planes[p], ids_);
+    gather(body, p);
+    points_.assign(body, body.planes[p], ids_);
     cut(is_simple && ids_.size() == corners.size());
     append(ids_, out);
   }
@@ -123,13 +122,13 @@ class Triangulator {
   }
 
   /// The polygon's vertices in order, then its edges and isolated points by their numbers in that order.
-  void gather(std::uint32_t p) {
-    number_corners(body_.polygons.corners_of(p));
+  void gather(const Body& body, std::uint32_t p) {
+    number_corners(body.polygons.corners_of(p));
 
     edges_.clear();
     isolated_.clear();
     std::size_t first = 0;
-    body_.polygons.for_loops(p, [&](std::span<const std::uint32_t> loop) {
+    body.polygons.for_loops(p, [&](std::span<const std::uint32_t> loop) {
       const auto numbers = std::span(number_).subspan(first, loop.size());
       first += loop.size();
       if (numbers.size() == 1) isolated_.push_back(numbers[0]);
@@ -185,7 +184,6 @@ class Triangulator {
     return true;
   }
 
-  const Body& body_;
   PlanePoints points_;
   std::vector<FaceTriangle> triangles_;
   FaceCutter<PlanePoints> cutter_;
@@ -193,6 +191,22 @@ class Triangulator {
   Array<std::uint32_t> ids_, isolated_;
   Array<std::uint32_t> number_;  // by corner
   Array<FaceEdge> edges_;
+};
+
+/// For the polygons of one stretch. That of a small body is kept for the next one of the thread.
+class LocalTriangulator {
+ public:
+  explicit LocalTriangulator(const Body& body)
+      : kept_(body.polygons.corners.size() < few_corners ? grid::kept_by_thread<Triangulator>() : nullptr) {
+    if (!kept_) own_.emplace();
+  }
+
+  Triangulator& operator*() { return kept_ ? *kept_ : *own_; }
+
+ private:
+  static constexpr std::size_t few_corners = 4096;
+  Triangulator* kept_;
+  std::optional<Triangulator> own_;
 };
 
 void append_numbers(Array<std::uint32_t>& list, std::uint32_t begin, std::uint32_t end) {
@@ -232,10 +246,12 @@ void add_polygons(const Body& body, const Array<std::uint32_t>& polygons, Triang
   const std::size_t batch = grid::long_stretch(polygons.size(), 64);
   std::vector<Pieces> batches((polygons.size() + batch - 1) / batch);
   grid::in_stretches(polygons.size(), batch, [&](std::size_t b, std::size_t begin, std::size_t end) {
-    Triangulator triangulator(body);
+    LocalTriangulator triangulator(body);
     Pieces& pieces = batches[b];
+    pieces.corners.reserve(6 * (end - begin));  // polygons have two triangles at least, if they are none themselves
+    pieces.face.reserve(2 * (end - begin));
     for (std::size_t i = begin; i < end; ++i) {
-      triangulator.add(body.polygon(polygons[i]), pieces.corners);
+      (*triangulator).add(body, body.polygon(polygons[i]), pieces.corners);
       pieces.face.resize(pieces.corners.size() / 3, polygons[i]);
     }
   });
