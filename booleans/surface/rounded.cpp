@@ -96,10 +96,11 @@ std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, c
   grid::in_stretches(count, 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = mesh.source[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int axis = static_cast<int>(k);
-        points[3 * i + k] = body.is_grid(v) ? round(body.grid_points[v][axis], axis) : round(body.derived(v), axis);
-      }
+      double* const place = points.data() + 3 * i;
+      if (body.is_grid(v))
+        for (int k = 0; k < 3; ++k) place[k] = round(body.grid_points[v][k], k);
+      else
+        for (int k = 0; k < 3; ++k) place[k] = round(body.derived(v), k);
     }
   });
 

@@ -15,6 +15,12 @@
 namespace quoin::booleans {
 namespace {
 
+/// At least n items; those that are there stay.
+template <class T>
+void make_room(Array<T>& list, std::size_t n) {
+  if (list.size() < n) list.resize(n);
+}
+
 /// The corners of one polygon seen in its own plane, by local ids.
 class PlanePoints {
  public:
@@ -26,7 +32,8 @@ class PlanePoints {
     u_ = static_cast<std::size_t>(frame.u());
     v_ = static_cast<std::size_t>(frame.v());
 
-    planar_.resize(ids.size());
+    count_ = ids.size();
+    make_room(planar_, count_);
     if (all_grid_)
       assign_grid(body, ids);
     else
@@ -47,11 +54,11 @@ class PlanePoints {
   }
 
   /// Approximate coordinates by local id, for shape decisions.
-  std::span<const std::array<double, 2>> approximate() const { return planar_; }
+  std::span<const std::array<double, 2>> approximate() const { return {planar_.data(), count_}; }
 
  private:
   void assign_grid(const Body& body, std::span<const std::uint32_t> ids) {
-    whole_.resize(ids.size());
+    make_room(whole_, ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const exact::GridPoint& p = body.grid_points[ids[i]];
       whole_[i] = {p.c[u_], p.c[v_]};
@@ -66,8 +73,8 @@ class PlanePoints {
   }
 
   void assign_exact(const Body& body, std::span<const std::uint32_t> ids) {
-    if (made_.size() < ids.size()) made_.resize(ids.size());
-    exact_.resize(ids.size());
+    make_room(made_, ids.size());
+    make_room(exact_, ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const std::uint32_t v = ids[i];
       exact_[i] = body.is_grid(v) ? &(made_[i] = exact::point(body.grid_points[v])) : &body.derived(v);
@@ -76,6 +83,7 @@ class PlanePoints {
   }
 
   const exact::Plane* plane_ = nullptr;
+  std::size_t count_ = 0;
   std::size_t u_ = 0, v_ = 1;
   bool all_grid_ = true;
   Array<std::array<double, 2>> planar_;
@@ -106,9 +114,9 @@ class Triangulator {
       if (cut_quadrilateral()) return append(corners, out);
     }
 
-    gather(body, p);
+    number_corners(corners);
     points_.assign(body, body.planes[p], ids_);
-    cut(is_simple && ids_.size() == corners.size());
+    cut(body, p, is_simple && ids_.size() == corners.size());
     append(ids_, out);
   }
 
@@ -121,11 +129,40 @@ class Triangulator {
       for (const std::uint32_t corner : t) *next++ = ids[corner];
   }
 
-  /// The polygon's vertices in order, then its edges and isolated points by their numbers in that order.
-  void gather(const Body& body, std::uint32_t p) {
-    number_corners(body.polygons.corners_of(p));
+  /// Numbers the vertices of a polygon in order.
+  void number_corners(std::span<const std::uint32_t> corners) {
+    const std::size_t count = corners.size();
+    sorted_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) sorted_[i] = std::uint64_t{corners[i]} << 32 | i;
+    std::sort(sorted_.begin(), sorted_.end());
 
+    make_room(number_, count);
+    ids_.resize(count);
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto v = static_cast<std::uint32_t>(sorted_[i] >> 32);
+      if (i > 0 && ids_[last] != v) ++last;
+      ids_[last] = v;
+      number_[static_cast<std::uint32_t>(sorted_[i])] = last;
+    }
+    ids_.resize(last + 1);
+  }
+
+  /// Triangles for any polygon: a sweep, then flips that improve their shapes.
+  /// No edge of a single loop has triangles on both sides: none has to be kept from flips.
+  void cut(const Body& body, std::uint32_t p, bool is_single_loop) {
     edges_.clear();
+    if (!is_single_loop || !cutter_.cut_loop({number_.data(), ids_.size()})) {
+      gather(body, p);
+      [[maybe_unused]] const bool closed =
+          cutter_.cut(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
+      assert(closed);
+    }
+    if (triangles_.size() >= 2) cutter_.improve(edges_, points_.approximate());
+  }
+
+  /// The edges and isolated points of a polygon.
+  void gather(const Body& body, std::uint32_t p) {
     isolated_.clear();
     std::size_t first = 0;
     body.polygons.for_loops(p, [&](std::span<const std::uint32_t> loop) {
@@ -134,30 +171,6 @@ class Triangulator {
       if (numbers.size() == 1) isolated_.push_back(numbers[0]);
       grid::for_loop_edges(numbers, [&](std::uint32_t u, std::uint32_t v) { edges_.push_back({u, v}); });
     });
-  }
-
-  /// Numbers the vertices in order.
-  void number_corners(std::span<const std::uint32_t> corners) {
-    sorted_.clear();
-    for (std::size_t i = 0; i < corners.size(); ++i) sorted_.push_back(std::uint64_t{corners[i]} << 32 | i);
-    std::sort(sorted_.begin(), sorted_.end());
-
-    ids_.clear();
-    number_.resize(corners.size());
-    for (const std::uint64_t corner : sorted_) {
-      const auto v = static_cast<std::uint32_t>(corner >> 32);
-      if (ids_.empty() || ids_.back() != v) ids_.push_back(v);
-      number_[static_cast<std::uint32_t>(corner)] = static_cast<std::uint32_t>(ids_.size() - 1);
-    }
-  }
-
-  /// Triangles for any polygon: a sweep, then flips that improve their shapes.
-  void cut(bool is_loop) {
-    [[maybe_unused]] const bool closed =
-        (is_loop && cutter_.cut_loop(number_)) ||
-        cutter_.cut(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
-    assert(closed);
-    if (triangles_.size() >= 2) cutter_.improve(edges_, points_.approximate());
   }
 
   /// Two triangles for a loop of four corners; false when neither diagonal leaves two proper ones.
