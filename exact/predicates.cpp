@@ -31,31 +31,6 @@ int dominant_axis(const Plane& p) {
 
 double largest(double a, double b, double c) { return std::max({std::fabs(a), std::fabs(b), std::fabs(c)}); }
 
-/// Filter for the orientation of three points projected along axis k: (xb - xa)(yc - ya) - (xc - xa)(yb - ya).
-/// With u the unit roundoff, M the largest |x|, N the largest |y|, E and F the largest |difference| computed in x and
-/// y:
-///   a rounded coordinate is within u M of the true one, so a computed difference e is within u (2 M + |e|) of its own;
-///   a product is within u (E (2 N + F) + F (2 M + E) + E F) + u^2 (2 M + E) (2 N + F), its rounding included;
-///   two of them and the rounding of their difference (2 u E F): u (4 E N + 4 F M + 8 E F) + 2 u^2 (4 M) (4 N);
-///   E <= 2 M and F <= 2 N (up to a factor 1 + u) give E F <= E N + F M: at most 12 u (E N + F M) + 32 u^2 M N.
-/// The bound 16 u (E N + F M) + 64 u^2 M N leaves room for these factors and for the bound's own roundings. Coordinates
-/// are 0 or at least 2^-188, hence multiples of 2^-240, and products of differences multiples of 2^-480; M, N >= 2^-188
-/// unless they are 0, so the bound's smallest part is above 2^-480: no underflow.
-/// Proved by docs/proofs/orientation_filter.g.
-int projected_filter(int k, const Point& a, const Point& b, const Point& c) {
-  const auto i = static_cast<std::size_t>((k + 1) % 3), j = static_cast<std::size_t>((k + 2) % 3);
-  const auto &p = a.approximation, &q = b.approximation, &r = c.approximation;
-  const double qx = q[i] - p[i], rx = r[i] - p[i], qy = q[j] - p[j], ry = r[j] - p[j];
-  const double value = qx * ry - rx * qy;
-
-  const double m = largest(p[i], q[i], r[i]), n = largest(p[j], q[j], r[j]);
-  const double e = std::max(std::fabs(qx), std::fabs(rx)), f = std::max(std::fabs(qy), std::fabs(ry));
-  const double bound = (orientation_bound * unit_roundoff) * ((e + (orientation_tail * unit_roundoff) * m) * n + f * m);
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  return 2;
-}
-
 }  // namespace
 
 int compare_along(int k, const Point& u, const Point& v) {
@@ -86,6 +61,29 @@ int turn(const Plane& p, const Plane& q, const Plane& r) {
   return (c(p, 0) * minor(1, 2) + c(p, 1) * minor(2, 0) + c(p, 2) * minor(0, 1)).sign();
 }
 
+/// The sign of (xb - xa)(yc - ya) - (xc - xa)(yb - ya).
+/// With u the unit roundoff, M the largest |x|, N the largest |y|, E and F the largest |difference| computed in x and
+/// y:
+///   a rounded coordinate is within u M of the true one, so a computed difference e is within u (2 M + |e|) of its own;
+///   a product is within u (E (2 N + F) + F (2 M + E) + E F) + u^2 (2 M + E) (2 N + F), its rounding included;
+///   two of them and the rounding of their difference (2 u E F): u (4 E N + 4 F M + 8 E F) + 2 u^2 (4 M) (4 N);
+///   E <= 2 M and F <= 2 N (up to a factor 1 + u) give E F <= E N + F M: at most 12 u (E N + F M) + 32 u^2 M N.
+/// The bound 16 u (E N + F M) + 64 u^2 M N leaves room for these factors and for the bound's own roundings. Coordinates
+/// are 0 or at least 2^-188, hence multiples of 2^-240, and products of differences multiples of 2^-480; M, N >= 2^-188
+/// unless they are 0, so the bound's smallest part is above 2^-480: no underflow.
+/// Proved by docs/proofs/orientation_filter.g.
+int projected_filter(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c) {
+  const double qx = b[0] - a[0], rx = c[0] - a[0], qy = b[1] - a[1], ry = c[1] - a[1];
+  const double value = qx * ry - rx * qy;
+
+  const double m = largest(a[0], b[0], c[0]), n = largest(a[1], b[1], c[1]);
+  const double e = std::max(std::fabs(qx), std::fabs(rx)), f = std::max(std::fabs(qy), std::fabs(ry));
+  const double bound = (orientation_bound * unit_roundoff) * ((e + (orientation_tail * unit_roundoff) * m) * n + f * m);
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+  return 2;
+}
+
 TripleValue projected_determinant(int k, const Point& a, const Point& b, const Point& c) {
   const auto i = static_cast<std::size_t>((k + 1) % 3), j = static_cast<std::size_t>((k + 2) % 3);
   const auto minor = [i, j](const Point& u, const Point& v) { return u.x[i] * v.x[j] - v.x[i] * u.x[j]; };
@@ -103,7 +101,9 @@ int orientation_in_plane(const Plane& p, const Point& a, const Point& b, const P
   assert(!checked ||
          (scaled_value(p, a).sign() == 0 && scaled_value(p, b).sign() == 0 && scaled_value(p, c).sign() == 0));
   const int k = dominant_axis(p);
-  const int filtered = projected_filter(k, a, b, c);
+  const auto i = static_cast<std::size_t>((k + 1) % 3), j = static_cast<std::size_t>((k + 2) % 3);
+  const auto planar = [i, j](const Point& u) { return std::array{u.approximation[i], u.approximation[j]}; };
+  const int filtered = projected_filter(planar(a), planar(b), planar(c));
   if (filtered == 2) return orientation_in_plane_exact(p, a, b, c);
   ++counters().filter;
   return p.n[static_cast<std::size_t>(k)] > 0 ? filtered : -filtered;

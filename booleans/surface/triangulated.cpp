@@ -24,20 +24,30 @@ void make_room(Array<T>& list, std::size_t n) {
 /// The corners of one polygon seen in its own plane, by local ids.
 class PlanePoints {
  public:
-  /// Other corners, vertices of the body by local id, in the memory of those before.
+  /// Other corners, vertices of the body by local id, in the memory of those before. Body and ids must stay.
   void assign(const Body& body, const exact::Plane& plane, std::span<const std::uint32_t> ids) {
+    body_ = &body;
     plane_ = &plane;
-    all_grid_ = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t v) { return body.is_grid(v); });
+    ids_ = ids;
     const Frame frame(plane);
     u_ = static_cast<std::size_t>(frame.u());
     v_ = static_cast<std::size_t>(frame.v());
+    make_room(planar_, ids.size());
+    make_room(whole_, ids.size());
 
-    count_ = ids.size();
-    make_room(planar_, count_);
-    if (all_grid_)
-      assign_grid(body, ids);
-    else
-      assign_exact(body, ids);
+    all_grid_ = true;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const std::uint32_t v = ids[i];
+      if (body.is_grid(v)) {
+        const auto& p = body.grid_points[v].c;
+        whole_[i] = {p[u_], p[v_]};
+        planar_[i] = {static_cast<double>(p[u_]), static_cast<double>(p[v_])};
+      } else {
+        const auto& p = body.derived(v).approximation;
+        planar_[i] = {p[u_], p[v_]};
+        all_grid_ = false;
+      }
+    }
   }
 
   int compare(std::uint32_t a, std::uint32_t b) const {
@@ -46,7 +56,7 @@ class PlanePoints {
   }
 
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    if (!all_grid_) return exact::orientation_in_plane(*plane_, *exact_[a], *exact_[b], *exact_[c]);
+    if (!all_grid_) return orientation_of_any(a, b, c);
 
     const auto &p = whole_[a], &q = whole_[b], &r = whole_[c];
     const std::int64_t det = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);  // below 2^61
@@ -54,44 +64,31 @@ class PlanePoints {
   }
 
   /// Approximate coordinates by local id, for shape decisions.
-  std::span<const std::array<double, 2>> approximate() const { return {planar_.data(), count_}; }
+  std::span<const std::array<double, 2>> approximate() const { return {planar_.data(), ids_.size()}; }
 
  private:
-  void assign_grid(const Body& body, std::span<const std::uint32_t> ids) {
-    make_room(whole_, ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const exact::GridPoint& p = body.grid_points[ids[i]];
-      whole_[i] = {p.c[u_], p.c[v_]};
-      planar_[i] = {static_cast<double>(p.c[u_]), static_cast<double>(p.c[v_])};
-    }
-  }
+  exact::Point point(std::uint32_t a) const { return body_->point(ids_[a]); }
 
   int compare_along(std::size_t k, std::uint32_t a, std::uint32_t b) const {
     return exact::compare_rounded(planar_[a][k], planar_[b][k], [&] {
-      return all_grid_ || a == b ? 0 : exact::compare_along(static_cast<int>(k == 0 ? u_ : v_), *exact_[a], *exact_[b]);
+      return all_grid_ || a == b ? 0 : exact::compare_along(static_cast<int>(k == 0 ? u_ : v_), point(a), point(b));
     });
   }
 
-  void assign_exact(const Body& body, std::span<const std::uint32_t> ids) {
-    make_room(made_, ids.size());
-    make_room(exact_, ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const std::uint32_t v = ids[i];
-      exact_[i] = body.is_grid(v) ? &(made_[i] = exact::point(body.grid_points[v])) : &body.derived(v);
-      planar_[i] = {exact_[i]->approximation[u_], exact_[i]->approximation[v_]};
-    }
+  int orientation_of_any(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const int filtered = exact::projected_filter(planar_[a], planar_[b], planar_[c]);
+    if (filtered == 2) return exact::orientation_in_plane_exact(*plane_, point(a), point(b), point(c));
+    ++exact::counters().filter;
+    return filtered;
   }
 
+  const Body* body_ = nullptr;
   const exact::Plane* plane_ = nullptr;
-  std::size_t count_ = 0;
-  std::size_t u_ = 0, v_ = 1;
+  std::span<const std::uint32_t> ids_;
+  std::size_t u_ = 0, v_ = 1;  // see Frame
   bool all_grid_ = true;
   Array<std::array<double, 2>> planar_;
-  /// Of polygons of grid points.
-  Array<std::array<std::int64_t, 2>> whole_;
-  /// Of polygons with derived points: the body's, and grid points that are made into such.
-  Array<const exact::Point*> exact_;
-  Array<exact::Point> made_;
+  Array<std::array<std::int64_t, 2>> whole_;  // of grid points
 };
 
 /// Triangulates polygons, each with the memory of those before.
