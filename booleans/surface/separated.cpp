@@ -19,19 +19,15 @@ using exact::Rational;
 
 namespace {
 
-/// Where the triangles around a vertex lead from a neighbour.
-struct Step {
-  std::uint32_t around = none, to = none;
-};
-
-/// As `is_one_fan`, with a list of steps by neighbour in place of a search: a walk that comes back to its start after as
-/// many steps as there are spokes, not earlier, has taken each of them.
-bool is_one_fan_around(std::uint32_t v, std::span<const Spoke> star, Array<Step>& steps) {
-  for (const Spoke& s : star) steps[s.a] = {v, s.b};
+/// As `is_one_fan`, for a closed mesh: where a triangle ends at a neighbour, one begins. So a walk needs no search:
+/// `next` holds where the triangle that begins at a neighbour ends, of two that begin there one. The walk comes back to
+/// its start after as many steps as there are triangles, not earlier, exactly when it has met all of them.
+bool is_one_fan_of_closed(std::span<const Spoke> star, Array<std::uint32_t>& next) {
+  for (const Spoke& s : star) next[s.a] = s.b;
   std::uint32_t at = star[0].a;
-  for (std::size_t taken = 1; taken <= star.size() && steps[at].around == v; ++taken) {
-    at = steps[at].to;
-    if (at == star[0].a) return taken == star.size();
+  for (std::size_t steps = 1; steps <= star.size(); ++steps) {
+    at = next[at];
+    if (at == star[0].a) return steps == star.size();
   }
   return false;
 }
@@ -42,9 +38,9 @@ Array<std::uint8_t> with_several_fans(const Triangulated& mesh) {
   std::atomic<bool> any = false;
   grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
     const grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
-    Array<Step> steps(several.size());
+    Array<std::uint32_t> next(several.size());
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
-      if (!is_one_fan_around(v, spokes_of[v - begin], steps)) several[v] = any = true;
+      if (!is_one_fan_of_closed(spokes_of[v - begin], next)) several[v] = any = true;
   });
 
   if (!any) several.clear();

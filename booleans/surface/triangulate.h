@@ -168,8 +168,8 @@ class Sweep {
 
   template <class Iterator, class IdOf>
   void sort(Iterator begin, Iterator end, IdOf id_of) {
-    sort_by_few_comparisons(
-        begin, end, [&](std::uint32_t a, std::uint32_t b) { return points_.compare(id_of(a), id_of(b)) < 0; });
+    sort_by_few_comparisons(begin, end,
+                            [&](std::uint32_t a, std::uint32_t b) { return points_.compare(id_of(a), id_of(b)) < 0; });
   }
 
   /// Appends v at one end of a chain, with triangles to the edges that it sees from there on.
@@ -239,9 +239,9 @@ class FaceSweep : private Sweep<Points> {
 
  private:
   using Base = Sweep<Points>;
-  using typename Base::Chain;
   using Base::bottom, Base::top, Base::none;
   using Base::chains_, Base::close, Base::extend, Base::ids_, Base::orientation;
+  using typename Base::Chain;
 
   bool sort_vertices(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
                      std::span<const std::uint32_t> isolated) {
@@ -370,8 +370,8 @@ class FaceSweep : private Sweep<Points> {
   Chain lower_, upper_;
 };
 
-/// The same triangles for one loop of few corners, none twice. There the inside intervals are all there is to know: each
-/// lies between an edge that runs rightward and one that runs leftward.
+/// The same triangles for one loop of few corners, none twice. There the inside intervals are all there is to know:
+/// each lies between an edge that runs rightward and one that runs leftward.
 template <PlanarPoints Points>
 class LoopSweep : private Sweep<Points> {
  public:
@@ -400,9 +400,9 @@ class LoopSweep : private Sweep<Points> {
 
  private:
   using Base = Sweep<Points>;
-  using typename Base::Chain, typename Base::Side;
   using Base::bottom, Base::top, Base::none;
   using Base::chains_, Base::close, Base::extend, Base::ids_, Base::orientation;
+  using typename Base::Chain, typename Base::Side;
 
   /// From its left end to its right one.
   using Edge = std::array<std::uint32_t, 2>;
@@ -585,8 +585,8 @@ class FaceCutter {
   /// `isolated`: vertices in the interior that no edge uses. Ids that are in neither are ignored.
   /// The mesh is conforming: each directed boundary edge is in exactly one triangle, any other edge of a triangle in
   /// exactly two, in opposite directions, and every vertex of `edges` and `isolated` is a corner.
-  /// Time O(n log n). Predicates: about n log2 n comparisons for the order; orientations: at most two for each vertex and
-  /// one for each triangle, and O(log n) to place each vertex where no edge ends and to sort the edges around a vertex.
+  /// Time O(n log n). Predicates: about n log2 n comparisons for the order; orientations: at most two for each vertex
+  /// and one for each triangle, and O(log n) to place each vertex where no edge ends and to sort the edges around one.
   /// False, with nothing appended, when the edges are seen not to bound a face (a loop is open, sides do not match, an
   /// index is out of range). Edges that cross may go unseen; the triangles are then unspecified.
   [[nodiscard]] bool cut(std::uint32_t vertex_count, std::span<const FaceEdge> edges,
@@ -597,8 +597,8 @@ class FaceCutter {
     return false;
   }
 
-  /// The same for one loop without a repeated vertex. False, with nothing appended, also when it has many corners and is
-  /// not strictly convex.
+  /// The same for one loop without a repeated vertex. False, with nothing appended, also when it has many corners and
+  /// is not strictly convex.
   [[nodiscard]] bool cut_loop(std::span<const std::uint32_t> loop) {
     const std::size_t before = triangles_.size();
     if (triangulate_convex(points_, loop, triangles_)) return true;

@@ -151,8 +151,7 @@ class Triangulator {
     edges_.clear();
     if (!is_single_loop || !cutter_.cut_loop({number_.data(), ids_.size()})) {
       gather(body, p);
-      [[maybe_unused]] const bool closed =
-          cutter_.cut(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
+      [[maybe_unused]] const bool closed = cutter_.cut(static_cast<std::uint32_t>(ids_.size()), edges_, isolated_);
       assert(closed);
     }
     if (triangles_.size() >= 2) cutter_.improve(edges_, points_.approximate());

@@ -391,6 +391,97 @@ Face random_star(Random& random, std::int64_t corners, std::int64_t radius) {
   return face;
 }
 
+/// Whether segments p q and r s have a point in common. Not of two that lie on one line and share just an end.
+bool meet(const Face& face, std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) {
+  const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { return face.points.orientation(a, b, c); };
+  const int sides[] = {side(p, q, r), side(p, q, s), side(r, s, p), side(r, s, q)};
+  if (sides[0] != 0 || sides[1] != 0) return sides[0] * sides[1] <= 0 && sides[2] * sides[3] <= 0;
+  const auto& at = face.points.at;
+  return std::max(std::min(at[p], at[q]), std::min(at[r], at[s])) <=
+         std::min(std::max(at[p], at[q]), std::max(at[r], at[s]));
+}
+
+/// A loop that does not touch itself: from a triangle on, corners are put between two others where that is possible.
+std::vector<std::uint32_t> random_loop(Random& random, Face& face, std::size_t corners, std::int64_t size) {
+  face.add(0, 0), face.add(size, 0), face.add(0, size);
+  std::vector<std::uint32_t> loop = {0, 1, 2};
+  for (std::int64_t tries = 0; tries < 200 && loop.size() < corners; ++tries) {
+    const std::uint32_t p = face.add(pick(random, 0, size), pick(random, 0, size));
+    const std::size_t place = random() % loop.size(), n = loop.size();
+    const std::uint32_t before = loop[place], after = loop[(place + 1) % n];
+    bool fits = face.points.orientation(before, p, after) != 0;
+    for (std::size_t i = 0; fits && i < n; ++i) {
+      const std::uint32_t a = loop[i], b = loop[(i + 1) % n];
+      if (i == place) continue;
+      // At the ends of the edge that is replaced the next edges begin: only their far ends may not be met.
+      const bool ends = b == before, begins = a == after;
+      fits = (ends ? face.points.orientation(a, b, p) != 0 : !meet(face, before, p, a, b)) &&
+             (begins ? face.points.orientation(a, b, p) != 0 : !meet(face, p, after, a, b));
+    }
+    if (fits)
+      loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(place) + 1, p);
+    else
+      face.points.at.pop_back();
+  }
+  return loop;
+}
+
+/// Two ways to the same triangles.
+TEST(Triangulate, LoopsOfFewCornersAsAnyFace) {
+  std::size_t cut = 0;
+  for_seeds(5000, [&cut](Random& random) {
+    Face face;
+    const auto corners = static_cast<std::size_t>(pick(random, 4, LoopSweep<IntegerPoints>::most_corners));
+    std::vector<std::uint32_t> loop = random_loop(random, face, corners, pick(random, 3, 40));
+    face.add_loop(loop);
+    skew(random, face);
+    std::vector<FaceTriangle> by_loop, by_face;
+    ASSERT_TRUE(LoopSweep<IntegerPoints>(face.points, by_loop).run(loop));
+    ASSERT_TRUE(FaceSweep<IntegerPoints>(face.points, by_face).run(face.count(), face.edges, {}));
+    EXPECT_EQ(by_loop, by_face);
+    EXPECT_EQ(fault(face, by_loop), "");
+    EXPECT_EQ(by_loop.size() + 2, loop.size());
+    cut += by_loop.size();
+  });
+  EXPECT_GT(cut, 20000u);
+}
+
+TEST(Triangulate, LoopsThatBoundNothingEndWithoutACrash) {
+  std::size_t refused = 0;
+  for_seeds(20000, [&refused](Random& random) {
+    Face face;
+    std::vector<std::uint32_t> loop;
+    for (std::int64_t i = pick(random, 3, 16); i-- > 0;)
+      loop.push_back(face.add(pick(random, 0, 6), pick(random, 0, 6)));
+    std::vector<FaceTriangle> triangles;
+    refused += LoopSweep<IntegerPoints>(face.points, triangles).run(loop) ? 0 : 1;
+  });
+  EXPECT_GT(refused, 10000u);
+}
+
+TEST(Triangulate, OneCutterForManyFaces) {
+  for_seeds(100, [](Random& random) {
+    IntegerPoints points;
+    std::vector<FaceTriangle> triangles;
+    FaceCutter<IntegerPoints> cutter(points, triangles);
+    for (int i = 0; i < 20; ++i) {
+      const std::int64_t count = pick(random, 0, 40);
+      Face face = pick(random, 0, 1) ? random_slits(random, 64, count, 20) : random_star(random, count, 64);
+      scramble(random, face);
+      points = face.points;
+      triangles.clear();
+      ASSERT_TRUE(cutter.cut(face.count(), face.edges, face.isolated));
+      EXPECT_EQ(fault(face, triangles), "");
+      std::vector<FaceTriangle> fresh;
+      ASSERT_TRUE(FaceSweep<IntegerPoints>(points, fresh).run(face.count(), face.edges, face.isolated));
+      EXPECT_EQ(triangles, fresh);
+      cutter.improve(face.edges, doubles(face));
+      improve(face, doubles(face), fresh);
+      EXPECT_EQ(triangles, fresh);
+    }
+  });
+}
+
 TEST(Triangulate, RandomStars) {
   for_seeds(1000, [](Random& random) {
     const std::int64_t corners = pick(random, 0, 60);
@@ -569,6 +660,23 @@ TEST(ImproveTriangles, FlipsTheLongDiagonal) {
   triangles = {{0, 1, 2}, {0, 2, 3}};
   improve(face, doubles(face), triangles);
   EXPECT_EQ(triangles, (std::vector<FaceTriangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+/// Few vertices find their neighbours otherwise than many.
+TEST(ImproveTriangles, UnusedVerticesChangeNothing) {
+  for_seeds(1000, [](Random& random) {
+    Face face = random_slits(random, 32, pick(random, 0, 12), pick(random, 0, 9));
+    scramble(random, face);
+    std::vector<FaceTriangle> few;
+    ASSERT_TRUE(triangulate(face.points, face.count(), face.edges, face.isolated, few));
+    std::vector<FaceTriangle> many = few;
+    std::vector<std::array<double, 2>> padded = doubles(face);
+    improve(face, padded, few);
+    padded.resize(100);
+    improve(face, padded, many);
+    EXPECT_EQ(few, many);
+    EXPECT_EQ(fault(face, few), "");
+  });
 }
 
 TEST(ImproveTriangles, ExactOrientationHasTheLastWord) {
