@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include "booleans/body/canonical.h"
 #include "booleans/body/validity.h"
 #include "booleans/embedding.h"
+#include "exact/lowest_terms.h"
 #include "io/quoin.h"
 
 namespace quoin {
@@ -24,16 +26,55 @@ Error bad(std::string message, std::string where) {
 std::string vertex_name(std::size_t v) { return "vertex " + std::to_string(v); }
 std::string face_name(std::size_t f) { return "face " + std::to_string(f); }
 
-template <int Bits>
-std::string text_of(const exact::Int<Bits>& v) {
-  return exact::to_integer(v).str();
-}
+/// The decimals of a record's four numbers, until the next one.
+class Decimals {
+ public:
+  std::array<std::string_view, 4> of(const exact::Point& p) {
+    return {text(0, p.x[0]), text(1, p.x[1]), text(2, p.x[2]), text(3, p.w)};
+  }
+  std::array<std::string_view, 4> of(const exact::Plane& p) {
+    return {text(0, p.n[0]), text(1, p.n[1]), text(2, p.n[2]), text(3, p.d)};
+  }
+
+ private:
+  using Room = std::array<char, 88>;  // 80 digits and more
+
+  template <int Bits>
+  std::string_view text(std::size_t k, const exact::Int<Bits>& v) {
+    if (v == exact::Int<Bits>(v.low())) return text(k, v.low());
+    const std::string digits = exact::to_integer(v).str();
+    std::copy(digits.begin(), digits.end(), room_[k].begin());
+    return {room_[k].data(), digits.size()};
+  }
+  std::string_view text(std::size_t k, exact::int128 v) {
+    char* at = room_[k].data();
+    auto size = static_cast<exact::uint128>(v);
+    if (v < 0) {
+      *at++ = '-';
+      size = -size;
+    }
+    return {room_[k].data(), static_cast<std::size_t>(written(at, size) - room_[k].data())};
+  }
+
+  /// Writes all digits in words of 19. Returns the end.
+  static char* written(char* at, exact::uint128 v) {
+    constexpr std::uint64_t word = 10'000'000'000'000'000'000u;
+    if (v < word) return std::to_chars(at, at + 20, static_cast<std::uint64_t>(v)).ptr;
+
+    at = written(at, v / word);
+    auto rest = static_cast<std::uint64_t>(v % word);
+    for (char* digit = at + 19; digit != at; rest /= 10) *--digit = static_cast<char>('0' + rest % 10);
+    return at + 19;
+  }
+
+  std::array<Room, 4> room_;
+};
 
 /// A rational in lowest terms.
-Result<Rational> lattice_number(const std::string& text) {
+Result<Rational> lattice_number(std::string_view text) {
   const auto value = exact::parse_rational(text);
   if (!value || exact::to_string(*value) != text)
-    return bad("\"" + text.substr(0, 80) + "\" is not a rational in lowest terms", "grid");
+    return bad("\"" + std::string(text.substr(0, 80)) + "\" is not a rational in lowest terms", "grid");
   return *value;
 }
 
@@ -52,14 +93,23 @@ Result<grid::Lattice> read_lattice(const io::ExactDocument& document) {
   return lattice;
 }
 
+/// A number of at most 19 digits.
+std::uint64_t short_number(std::string_view digits) {
+  std::uint64_t value = 0;
+  for (const char c : digits) value = 10 * value + static_cast<std::uint64_t>(c - '0');
+  return value;
+}
+
 /// An integer of at most 38 digits (10^38 < 2^127); nothing where there are more.
 std::optional<exact::int128> short_integer(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   if (text.size() > 38) return std::nullopt;
 
-  exact::int128 value = 0;
-  for (const char c : text) value = 10 * value + (c - '0');
+  // The last 19 digits in one word, those before it in another.
+  const std::size_t high_size = text.size() - std::min<std::size_t>(text.size(), 19);
+  const auto high = short_number(text.substr(0, high_size)), low = short_number(text.substr(high_size));
+  const exact::int128 value = exact::int128(high) * 10'000'000'000'000'000'000u + low;
   return negative ? -value : value;
 }
 
@@ -67,7 +117,7 @@ Error outside_world(std::size_t v) {
   return bad("the vertex lies outside the world of +-2^29 grid steps", vertex_name(v));
 }
 
-Result<exact::Point> read_grid_point(const std::array<std::string, 4>& text, std::size_t v) {
+Result<exact::Point> read_grid_point(const std::array<std::string_view, 4>& text, std::size_t v) {
   exact::GridPoint p{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto x = short_integer(text[k]);
@@ -77,16 +127,17 @@ Result<exact::Point> read_grid_point(const std::array<std::string, 4>& text, std
   return exact::point(p);
 }
 
-Result<exact::Point> read_point(const std::array<std::string, 4>& text, std::size_t v) {
-  if (text[3] == "1") return read_grid_point(text, v);
+Error not_in_lowest_terms(std::size_t v) { return bad("the vertex is not in lowest terms", vertex_name(v)); }
 
+/// A derived point without its approximation; numbers of any length.
+Result<exact::Point> read_long_point(const std::array<std::string_view, 4>& text, std::size_t v) {
   std::array<Integer, 4> x;
   Integer content = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    x[k] = Integer(text[k]);
+    x[k] = Integer(std::string(text[k]));
     content = gcd(content, x[k]);
   }
-  if (content != 1) return bad("the vertex is not in lowest terms", vertex_name(v));
+  if (content != 1) return not_in_lowest_terms(v);
   for (std::size_t k = 0; k < 3; ++k)
     if (abs(x[k]) > x[3] * exact::world) return outside_world(v);
 
@@ -94,15 +145,46 @@ Result<exact::Point> read_point(const std::array<std::string, 4>& text, std::siz
   const auto w = exact::to_int<exact::Denominator::bits>(x[3]);
   if (!w) return bad("the denominator is longer than that of any meeting of three planes", vertex_name(v));
   p.w = *w;
-  for (std::size_t k = 0; k < 3; ++k) {
-    // No longer than 30 bits more than the denominator.
-    p.x[k] = *exact::to_int<exact::Numerator::bits>(x[k]);
-    p.approximation[k] = exact::rounded_quotient(p.x[k], p.w);
-  }
+  // No longer than 30 bits more than the denominator.
+  for (std::size_t k = 0; k < 3; ++k) p.x[k] = *exact::to_int<exact::Numerator::bits>(x[k]);
   return p;
 }
 
-Result<exact::Plane> read_plane(const std::array<std::string, 4>& text, std::size_t f) {
+/// The same of numbers that fit 128 bits, as nearly all do.
+Result<exact::Point> read_short_point(const std::array<exact::int128, 4>& x, std::size_t v) {
+  exact::Point p{};
+  for (std::size_t k = 0; k < 3; ++k) p.x[k] = exact::Numerator(x[k]);
+  p.w = exact::Denominator(x[3]);
+  if (!exact::is_reduced(p)) return not_in_lowest_terms(v);
+
+  const auto limit = p.w * exact::Coefficient(exact::world);
+  for (const exact::Numerator& c : p.x)
+    if (exact::compare(c, limit) > 0 || exact::compare(c, -limit) < 0) return outside_world(v);
+  return p;
+}
+
+std::optional<std::array<exact::int128, 4>> short_integers(const std::array<std::string_view, 4>& text) {
+  std::array<exact::int128, 4> x;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto number = short_integer(text[k]);
+    if (!number) return std::nullopt;
+    x[k] = *number;
+  }
+  return x;
+}
+
+Result<exact::Point> read_point(const std::array<std::string_view, 4>& text, std::size_t v) {
+  if (text[3] == "1") return read_grid_point(text, v);
+
+  const auto numbers = short_integers(text);
+  auto p = numbers ? read_short_point(*numbers, v) : read_long_point(text, v);
+  if (!p) return p;
+  exact::Point& read = p.value();
+  for (std::size_t k = 0; k < 3; ++k) read.approximation[k] = exact::rounded_quotient(read.x[k], read.w);
+  return p;
+}
+
+Result<exact::Plane> read_plane(const std::array<std::string_view, 4>& text, std::size_t f) {
   exact::Plane p{};
   std::int64_t content = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -123,7 +205,7 @@ Result<exact::Plane> read_plane(const std::array<std::string, 4>& text, std::siz
   return p;
 }
 
-Result<Boundary> read_boundary(io::ExactDocument& document) {
+Result<Boundary> read_boundary(const io::ExactDocument& document) {
   Boundary boundary;
   boundary.full_at_infinity = document.full_at_infinity;
 
@@ -159,27 +241,30 @@ std::string names_of(std::span<const std::uint32_t> faces, const Boundary& bound
   return "faces " + std::to_string(numbers[0]) + " and " + std::to_string(numbers[1]);
 }
 
+/// Bytes for a text whose numbers are as long as in most: more are found where they are longer.
+std::size_t room_for(const Boundary& form) {
+  constexpr std::size_t vertex = 110, plane = 90, corner = 8;
+  return vertex * form.vertices.size() + plane * form.face_count() + corner * form.faces.corners.size() + 4096;
+}
+
 }  // namespace
 
 std::string Solid::to_quoin() const {
   const booleans::Canonical form = booleans::canonical(Access::body(*this));
-  io::ExactDocument document;
-  document.step = grid_.step();
-  document.origin = grid_.origin();
-  document.full_at_infinity = form.full_at_infinity;
+  Decimals decimals;
+  io::QuoinWriter writer(room_for(form));
+  const std::string step = grid_.step();
+  const std::array<std::string, 3> origin = grid_.origin();
+  writer.begin(step, {origin[0], origin[1], origin[2]}, form.full_at_infinity);
 
-  document.vertices.reserve(form.vertices.size());
-  for (const auto& p : form.vertices)
-    document.vertices.push_back({text_of(p.x[0]), text_of(p.x[1]), text_of(p.x[2]), text_of(p.w)});
-  document.planes.reserve(form.face_count());
-  for (const auto& p : form.planes)
-    document.planes.push_back(
-        {std::to_string(p.n[0]), std::to_string(p.n[1]), std::to_string(p.n[2]), exact::to_integer(p.d).str()});
-
-  document.face_loops.assign(form.faces.face_start.begin(), form.faces.face_start.end());
-  document.loop_corners.assign(form.faces.loop_start.begin(), form.faces.loop_start.end());
-  document.corners.assign(form.faces.corners.begin(), form.faces.corners.end());
-  return io::write_quoin(document);
+  writer.vertices(form.vertices.size());
+  for (const exact::Point& p : form.vertices) writer.vertex(decimals.of(p));
+  writer.faces(form.face_count());
+  for (std::size_t f = 0; f < form.face_count(); ++f) {
+    writer.face(decimals.of(form.planes[f]), form.faces.loop_count(f));
+    form.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) { writer.loop(loop); });
+  }
+  return writer.end();
 }
 
 Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {

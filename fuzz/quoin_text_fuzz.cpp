@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fuzz/law.h"
+#include "io/quoin.h"
 #include "tests/api/quoin_damage.h"
 
 namespace quoin::fuzz {

@@ -63,13 +63,13 @@ class Lines {
   }
 
   /// Reads an integer of at most `max_digits` digits.
-  bool integer(std::size_t max_digits, std::string& out) {
+  bool integer(std::size_t max_digits, std::string_view& out) {
     const char* first = field_;
     return scan_integer(max_digits) && assign(first, out) && end_field();
   }
 
   /// Reads "p" or "p/q".
-  bool rational(std::size_t max_digits, std::string& out) {
+  bool rational(std::size_t max_digits, std::string_view& out) {
     const char* first = field_;
     if (!scan_integer(max_digits)) return false;
     if (field_ != line_end_ && *field_ == '/') {
@@ -121,8 +121,8 @@ class Lines {
     return true;
   }
 
-  bool assign(const char* first, std::string& out) const {
-    out.assign(first, static_cast<std::size_t>(field_ - first));
+  bool assign(const char* first, std::string_view& out) const {
+    out = {first, static_cast<std::size_t>(field_ - first)};
     return true;
   }
 
@@ -154,7 +154,7 @@ bool read_version(std::string_view text, Lines& lines) {
 bool read_lattice(Lines& lines, ExactDocument& out) {
   if (!lines.line() || !lines.word("grid") || !lines.rational(max_lattice_digits, out.step)) return false;
   if (out.step[0] == '-' || out.step[0] == '0') return lines.fail("the step of the grid must be positive");
-  for (std::string& coordinate : out.origin) {
+  for (std::string_view& coordinate : out.origin) {
     if (!lines.rational(max_lattice_digits, coordinate)) return false;
   }
   return lines.no_more_fields();
@@ -166,7 +166,7 @@ bool read_infinity(Lines& lines, ExactDocument& out) {
   return out.full_at_infinity || lines.rest() == "empty" || lines.fail("infinity is \"empty\" or \"full\"");
 }
 
-bool read_vertex(Lines& lines, std::array<std::string, 4>& out) {
+bool read_vertex(Lines& lines, std::array<std::string_view, 4>& out) {
   if (!lines.line()) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!lines.integer(max_coordinate_digits, out[k])) return false;
@@ -207,7 +207,7 @@ bool read_loop(Lines& lines, ExactDocument& out) {
 
 bool read_face(Lines& lines, ExactDocument& out) {
   if (!lines.line()) return false;
-  for (std::string& coefficient : out.planes.emplace_back()) {
+  for (std::string_view& coefficient : out.planes.emplace_back()) {
     if (!lines.integer(max_coefficient_digits, coefficient)) return false;
   }
 
@@ -250,21 +250,19 @@ bool read_end(Lines& lines) {
   return true;
 }
 
-/// An upper bound of the text's size, so that it is allocated once.
+/// About the text's size, not less, so that it is allocated once.
 std::size_t size_bound(const ExactDocument& document) {
   std::size_t size = 128 + document.step.size();
-  for (const std::string& coordinate : document.origin) size += coordinate.size();
-  for (const auto& vertex : document.vertices) {
-    for (const std::string& number : vertex) size += number.size() + 1;
-  }
-  for (const auto& plane : document.planes) {
-    for (const std::string& number : plane) size += number.size() + 1;
-  }
+  for (const std::string_view coordinate : document.origin) size += coordinate.size();
+  for (const auto& vertex : document.vertices)
+    for (const std::string_view number : vertex) size += number.size() + 1;
+  for (const auto& plane : document.planes)
+    for (const std::string_view number : plane) size += number.size() + 1;
   const std::size_t index_size = std::to_string(document.vertices.size()).size() + 1;
   return size + 11 * document.planes.size() + index_size * document.corners.size();
 }
 
-void append_section(std::string& out, std::string_view name, std::size_t count) {
+void append_count(std::string& out, std::string_view name, std::size_t count) {
   out.append(name);
   append_number(out, count);
   out.push_back('\n');
@@ -274,37 +272,59 @@ void append_section(std::string& out, std::string_view name, std::size_t count) 
 
 bool looks_like_quoin(std::string_view bytes) { return bytes.substr(0, magic.size()) == magic; }
 
+void QuoinWriter::begin(std::string_view step, const std::array<std::string_view, 3>& origin, bool full_at_infinity) {
+  out_.append("quoin 1\ngrid ").append(step);
+  for (const std::string_view coordinate : origin) out_.append(1, ' ').append(coordinate);
+  out_.append(full_at_infinity ? "\ninfinity full\n" : "\ninfinity empty\n");
+}
+
+void QuoinWriter::vertices(std::size_t count) { append_count(out_, "vertices ", count); }
+
+void QuoinWriter::vertex(const std::array<std::string_view, 4>& point) {
+  const auto& [x, y, z, w] = point;
+  out_.append(x).append(1, ' ').append(y).append(1, ' ').append(z);
+  if (w != "1") out_.append(1, ' ').append(w);
+  out_.push_back('\n');
+}
+
+void QuoinWriter::faces(std::size_t count) { append_count(out_, "faces ", count); }
+
+void QuoinWriter::face(const std::array<std::string_view, 4>& plane, std::size_t loops) {
+  for (const std::string_view coefficient : plane) out_.append(coefficient).append(1, ' ');
+  append_count(out_, "", loops);
+}
+
+void QuoinWriter::loop(std::span<const std::uint32_t> corners) {
+  for (const std::uint32_t corner : corners) {
+    append_number(out_, corner);
+    out_.push_back(' ');
+  }
+  out_.back() = '\n';
+}
+
+std::string QuoinWriter::end() {
+  out_.append("end\n");
+  return std::move(out_);
+}
+
 std::string write_quoin(const ExactDocument& document) {
   assert(!document.loop_corners.empty());
   assert(are_offsets(document.face_loops, document.planes.size(), document.loop_corners.size() - 1));
   assert(are_offsets(document.loop_corners, document.loop_corners.size() - 1, document.corners.size()));
 
-  std::string out;
-  out.reserve(size_bound(document));
-  out.append("quoin 1\ngrid ").append(document.step);
-  for (const std::string& coordinate : document.origin) out.append(1, ' ').append(coordinate);
-  out.append(document.full_at_infinity ? "\ninfinity full\n" : "\ninfinity empty\n");
+  QuoinWriter writer(size_bound(document));
+  writer.begin(document.step, document.origin, document.full_at_infinity);
+  writer.vertices(document.vertices.size());
+  for (const auto& vertex : document.vertices) writer.vertex(vertex);
 
-  append_section(out, "vertices ", document.vertices.size());
-  for (const auto& [x, y, z, w] : document.vertices) {
-    out.append(x).append(1, ' ').append(y).append(1, ' ').append(z);
-    if (w != "1") out.append(1, ' ').append(w);
-    out.push_back('\n');
-  }
-
-  append_section(out, "faces ", document.planes.size());
+  writer.faces(document.planes.size());
+  const std::span<const std::uint32_t> corners(document.corners);
   for (std::size_t i = 0; i < document.planes.size(); ++i) {
-    for (const std::string& coefficient : document.planes[i]) out.append(coefficient).append(1, ' ');
-    append_section(out, "", document.face_loops[i + 1] - document.face_loops[i]);
-    for (std::size_t j = document.face_loops[i]; j < document.face_loops[i + 1]; ++j) {
-      for (std::size_t k = document.loop_corners[j]; k < document.loop_corners[j + 1]; ++k) {
-        append_number(out, document.corners[k]);
-        out.push_back(k + 1 == document.loop_corners[j + 1] ? '\n' : ' ');
-      }
-    }
+    writer.face(document.planes[i], document.face_loops[i + 1] - document.face_loops[i]);
+    for (std::size_t j = document.face_loops[i]; j < document.face_loops[i + 1]; ++j)
+      writer.loop(corners.subspan(document.loop_corners[j], document.loop_corners[j + 1] - document.loop_corners[j]));
   }
-  out.append("end\n");
-  return out;
+  return writer.end();
 }
 
 Result<ExactDocument> read_quoin(std::string_view text) {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "booleans/body/half_edges.h"
+#include "exact/lowest_terms.h"
 #include "exact/predicates.h"
-#include "exact/rational.h"
 #include "grid/lists/partition.h"
 
 namespace quoin::booleans {
@@ -133,18 +133,6 @@ Array<std::uint32_t> ordered_vertices(const Body& body, const Array<std::uint8_t
     return false;
   });
   return order;
-}
-
-/// In lowest terms.
-exact::Point reduced(exact::Point p) {
-  if (exact::is_grid(p)) return p;
-  exact::Integer g = exact::to_integer(p.w);
-  for (const auto& x : p.x) g = gcd(g, exact::to_integer(x));
-  if (g == 1) return p;
-
-  for (auto& x : p.x) x = *exact::to_int<exact::Numerator::bits>(exact::Integer(exact::to_integer(x) / g));
-  p.w = *exact::to_int<exact::Denominator::bits>(exact::Integer(exact::to_integer(p.w) / g));
-  return p;
 }
 
 // 5. Loops
@@ -396,7 +384,7 @@ Canonical canonical(const Body& body) {
   Boundary form = in_order(traced_faces(body, edges, by_face, points, rank));
   form.full_at_infinity = body.full_at_infinity;
   form.vertices.reserve(order.size());
-  for (const std::uint32_t v : order) form.vertices.push_back(reduced(body.point(v)));
+  for (const std::uint32_t v : order) form.vertices.push_back(exact::reduced(body.point(v)));
   return Canonical(std::move(form));
 }
 

@@ -14,20 +14,20 @@
 #include <vector>
 
 #include "exact/rational.h"
-#include "io/quoin.h"
 #include "quoin/quoin.h"
+#include "tests/io/exact_document.h"
 
 namespace quoin::damage {
 
 /// A document whose faces are lists of lists.
 struct Document {
-  io::ExactDocument numbers;  // without faces
+  io::test::ExactDocument numbers;  // without faces
   std::vector<std::vector<std::vector<std::uint32_t>>> faces;
 };
 
 inline Document opened(const std::string& text) {
-  Document d{io::read_quoin(text).value(), {}};
-  io::ExactDocument& n = d.numbers;
+  Document d{io::test::read_quoin(text).value(), {}};
+  io::test::ExactDocument& n = d.numbers;
   for (std::size_t f = 0; f < n.planes.size(); ++f) {
     auto& face = d.faces.emplace_back();
     for (std::uint32_t j = n.face_loops[f]; j < n.face_loops[f + 1]; ++j)
@@ -40,7 +40,7 @@ inline Document opened(const std::string& text) {
 
 /// Faces without loops and loops without corners, which no text can hold, are left out.
 inline std::string closed(const Document& d) {
-  io::ExactDocument n = d.numbers;
+  io::test::ExactDocument n = d.numbers;
   n.planes.clear();
   for (std::size_t f = 0; f < d.faces.size(); ++f) {
     for (const auto& loop : d.faces[f]) {
@@ -54,7 +54,7 @@ inline std::string closed(const Document& d) {
     n.face_loops.push_back(loops);
     n.planes.push_back(d.numbers.planes[f]);
   }
-  return io::write_quoin(n);
+  return io::test::write_quoin(n);
 }
 
 inline long long number(const std::string& text) { return std::strtoll(text.c_str(), nullptr, 10) % 1'000'000'000; }

@@ -126,6 +126,29 @@ TEST(QuoinText, TheEndOfTheWorldBelongsToIt) {
   }
 }
 
+/// 10^exponent + more, as a decimal.
+std::string decimal(int exponent, int more) {
+  exact::Integer v = more;
+  v += pow(exact::Integer(10), static_cast<unsigned>(exponent));
+  return v.str();
+}
+
+// The tetrahedron that the plane a (x + y + z) = d cuts off, its numbers around the ends of machine words.
+TEST(QuoinText, NumbersOfAllLengths) {
+  for (int exponent = 9; exponent <= 26; ++exponent)
+    for (const int more : {-1, 0, 1, 7}) {
+      const std::string d = decimal(exponent, more);
+      std::string a = decimal(exponent - 8, 1);
+      while (gcd(exact::Integer(a), exact::Integer(d)) != 1) a = exact::Integer(exact::Integer(a) + 1).str();
+      const std::string text = "quoin 1\ngrid 1 0 0 0\ninfinity empty\nvertices 4\n0 0 0\n0 0 " + d + " " + a + "\n0 " +
+                               d + " 0 " + a + "\n" + d + " 0 0 " + a +
+                               "\nfaces 4\n-1 0 0 0 1\n0 1 2\n0 -1 0 0 1\n0 3 1\n" + "0 0 -1 0 1\n0 2 3\n" + a + " " +
+                               a + " " + a + " -" + d + " 1\n1 3 2\nend\n";
+      EXPECT_EQ(fault_of(text), "") << text;
+      EXPECT_EQ(Solid::from_quoin(text).value().to_quoin(), text);
+    }
+}
+
 // Order is the writer's duty: what is out of order is read, and written again in canonical order.
 TEST(QuoinText, OutOfOrder) {
   const std::string text = damage::closed(cube());

@@ -6,12 +6,16 @@
 #include <sstream>
 #include <utility>
 
+#include "tests/io/exact_document.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {
 namespace {
 
-using Record = std::array<std::string, 4>;
+using test::ExactDocument;
+using test::read_quoin;
+using test::write_quoin;
+using Record = ExactDocument::Record;
 using Texts = std::vector<std::string>;
 
 // A pinched, slit and dotted face, a derived vertex, numbers longer than a machine word; no solid.
@@ -62,18 +66,18 @@ std::string stripped(const std::string& text) {
 std::string refusal(std::string_view text) {
   // A copy of exact size, so that the sanitizer sees a read behind the end.
   const std::vector<char> copy(text.begin(), text.end());
-  const Result<ExactDocument> read = read_quoin(std::string_view(copy.data(), copy.size()));
+  const Result<io::ExactDocument> read = io::read_quoin(std::string_view(copy.data(), copy.size()));
   if (!read) {
     EXPECT_EQ(read.error().code, ErrorCode::bad_quoin);
     EXPECT_EQ(read.error().where.rfind("line ", 0), 0U);
     EXPECT_FALSE(read.error().message.empty());
     return read.error().where + ": " + read.error().message;
   }
-  const ExactDocument& document = read.value();
-  EXPECT_EQ(write_quoin(document), stripped(std::string(text)));
+  const io::ExactDocument& document = read.value();
+  EXPECT_EQ(io::write_quoin(document), stripped(std::string(text)));
   for (const std::uint32_t corner : document.corners) EXPECT_LT(corner, document.vertices.size());
   const std::size_t allocated =
-      (document.vertices.capacity() + document.planes.capacity()) * sizeof(Record) +
+      (document.vertices.capacity() + document.planes.capacity()) * sizeof document.vertices[0] +
       (document.face_loops.capacity() + document.loop_corners.capacity() + document.corners.capacity()) * 4;
   EXPECT_LE(allocated, 64 + 64 * text.size());
   return "";
@@ -144,8 +148,8 @@ TEST(Quoin, WritesAndReadsAsDocumented) {
   const Result<ExactDocument> read = read_quoin(small);
   ASSERT_TRUE(read) << read.error().where << read.error().message;
   EXPECT_TRUE(read.value() == small_document());
-  EXPECT_EQ(write_quoin({}), "quoin 1\ngrid 1 0 0 0\ninfinity empty\nvertices 0\nfaces 0\nend\n");
-  EXPECT_TRUE(read_quoin(write_quoin({})).value() == ExactDocument());
+  EXPECT_EQ(write_quoin(ExactDocument()), "quoin 1\ngrid 1 0 0 0\ninfinity empty\nvertices 0\nfaces 0\nend\n");
+  EXPECT_TRUE(read_quoin(write_quoin(ExactDocument())).value() == ExactDocument());
 }
 
 TEST(Quoin, RandomDocumentsRoundTrip) {
