@@ -41,6 +41,9 @@ inline constexpr double snap_floor = 0x1p-60;  // docs/proofs/snap_filter.g
 /// `BlockSlabs`: how far a computed place along a line may be off, in steps times components of up to 2^30.
 inline constexpr double crossing_slack = 0x1p13;  // docs/proofs/crossing.g
 
+/// `place_of_crossing`: how far a computed place on an edge may be off, in steps, but for the error of the values.
+inline constexpr double line_slack = 0x1p-19;  // docs/proofs/line_place.g
+
 /// `area_sign` of m terms: area_bound (m + area_roundings) unit roundoffs, of the sum of the terms' magnitudes.
 inline constexpr double area_bound = 2;      // docs/proofs/area_filter.g
 inline constexpr double area_roundings = 5;  // docs/proofs/area_filter.g

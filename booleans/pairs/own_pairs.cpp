@@ -2,11 +2,11 @@
 
 #include <functional>
 
-#include "booleans/body/adjacency.h"
+#include "booleans/body/simple.h"
 #include "booleans/pairs/fan_proof.h"
 #include "booleans/pairs/pair_search.h"
+#include "booleans/pairs/proper_pairs.h"
 #include "booleans/pairs/triangle_pair.h"
-#include "exact/predicates.h"
 
 namespace quoin::booleans {
 namespace {
@@ -72,78 +72,11 @@ FacePairs improper_pairs(const Body& mesh, const Array<Star>& star_of) {
   return PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
 }
 
-namespace {
-
-/// Proves that faces of one body meet in common corners and edges only, where one look at a plane is enough.
-class Prover {
- public:
-  explicit Prover(const Body& body) : body_(body), adjacency_(body) {
-    for (auto f = static_cast<std::uint32_t>(body.triangles.size()); f < body.face_count(); ++f)
-      for (const std::uint32_t v : body.corners_of(f)) corners_.push_back({v, f});
-    std::sort(corners_.begin(), corners_.end());
-  }
-
-  bool many_corners(std::uint32_t f) const { return body_.corner_count(f) > 3; }
-
-  bool proper(std::uint32_t f, std::uint32_t g) const {
-    if (body_.corner_count(f) > body_.corner_count(g)) std::swap(f, g);
-    return meets_in_common_parts(f, g) ||
-           (body_.corner_count(g) <= grid::thresholds().small_face && meets_in_common_parts(g, f));
-  }
-
- private:
-  int side(const exact::Plane& plane, std::uint32_t v) const {
-    return body_.is_grid(v) ? exact::side(plane, body_.grid_points[v]) : exact::side(plane, body_.derived(v));
-  }
-  bool is_raw(std::uint32_t face) const { return face < body_.triangles.size(); }
-  bool lists(std::uint32_t face, std::uint32_t v) const {
-    if (!is_raw(face)) return std::binary_search(corners_.begin(), corners_.end(), std::array{v, face});
-    const auto& t = body_.triangles[face];
-    return t[0] == v || t[1] == v || t[2] == v;
-  }
-  bool lists(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
-    bool found = false;
-    if (body_.corner_count(face) <= grid::thresholds().small_face || is_raw(face))
-      body_.for_edges(face, [&](std::uint32_t from, std::uint32_t to) {
-        found = found || (from == u && to == v) || (from == v && to == u);
-      });
-    else
-      adjacency_.faces_at_edge(u, v, [&](std::uint32_t g, bool) { found = found || g == face; });
-    return found;
-  }
-  /// Does f lie on one closed side of g's plane, and does g list all that f has on it? A face that a plane does not
-  /// cross meets it in corners and edges only.
-  bool meets_in_common_parts(std::uint32_t f, std::uint32_t g) const {
-    const exact::Plane plane = body_.sign_plane(g);
-    int seen = 0;
-    bool good = true, on_plane = false;
-    body_.for_corners(f, [&](std::uint32_t v) {
-      if (!good) return;
-      const int s = side(plane, v);
-      good = s * seen >= 0 && (s != 0 || lists(g, v));
-      seen = s != 0 ? s : seen;
-      on_plane = on_plane || s == 0;
-    });
-    if (!good || seen == 0) return false;
-    if (!on_plane) return true;
-    body_.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
-      if (good && side(plane, u) == 0 && side(plane, v) == 0) good = lists(g, u, v);
-    });
-    return good;
-  }
-
-  const Body& body_;
-  const Adjacency adjacency_;
-  Array<std::array<std::uint32_t, 2>> corners_;  // (vertex, polygon), sorted
-};
-
-}  // namespace
-
 FacePairs doubtful_pairs(const Body& body) {
-  const Prover prover(body);
+  const ProperPairs prover(body);
   FacePairs found;
   for (std::uint32_t f = 0; f < body.face_count(); ++f)
-    if (prover.many_corners(f)) found.push_back({FaceId(f), FaceId(f)});
+    if (body.corner_count(f) > 3 && !proved_simple(body, f)) found.push_back({FaceId(f), FaceId(f)});
   // Triangles that are proved to meet all others are a group: what they do with polygons is left to see.
   const Array<Star> star_of = stars(body);
   const Array<std::uint8_t> proved = proved_in_fans(body, star_of);
@@ -154,7 +87,7 @@ FacePairs doubtful_pairs(const Body& body) {
   const OwnFaces own(body, items);
   const NeighbourMask neighbours(body, star_of, own.tree.ids());
   const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
-    return !prover.proper(own.faces[i].face, own.faces[j].face);
+    return !prover.proved(own.faces[i].face, own.faces[j].face);
   };
   const auto others = PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::foreign);
   found.insert(found.end(), others.begin(), others.end());

@@ -13,7 +13,7 @@ namespace quoin::booleans {
 FacePairs improper_pairs(const Body& mesh, const Array<Star>& star_of);
 
 /// Pairs of faces of one body that may meet anywhere but in corners and edges that both list: a superset of those that
-/// do. Faces of more than three corners are paired with themselves as well: their loops may cross.
+/// do. Faces of more than three corners are paired with themselves as well where their loops may cross.
 FacePairs doubtful_pairs(const Body& body);
 
 }  // namespace quoin::booleans
