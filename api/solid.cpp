@@ -84,8 +84,8 @@ bool Solid::is_bounded() const { return !Access::operand(*this).full_at_infinity
 std::optional<Box> Solid::box() const { return booleans::rounded_box(Access::body(*this), Access::lattice(*this)); }
 
 Counts Solid::counts() const {
-  const booleans::Canonical form = booleans::canonical(Access::body(*this));
-  return {form.vertices.size(), booleans::edge_count(form), form.face_count()};
+  const booleans::CanonicalCounts c = booleans::canonical_counts(Access::body(*this));
+  return {c.vertices, c.edges, c.faces};
 }
 
 double Solid::area() const {

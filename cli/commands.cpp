@@ -356,7 +356,8 @@ Result<void> run_info(Session& session) {
   const auto operands = load(session);
   if (!operands) return operands.error();
   const Solid& solid = operands.value().solids[0];
-  const auto info = measured_info(solid, nullptr, Volume::exact, session);
+  const Volume volume = session.arguments.json ? Volume::exact : Volume::exact_if_short;
+  const auto info = measured_info(solid, nullptr, volume, session);
   if (!info) return info.error();
   Json object = info_json(solid, info.value());
   object["max_snap"] = operands.value().max_snap();

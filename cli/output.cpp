@@ -217,7 +217,8 @@ std::string info_text(const Solid& solid, const Info& info) {
       {"bounded", yes_or_no(info.bounded)}};
 
   rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
-  if (info.bounded) rows.push_back({"volume, exact", shortened(info.volume)});
+  const bool is_known = !info.volume.empty();
+  if (info.bounded) rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
   rows.push_back({"area, about", decimal(info.area_approx)});
   rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
   rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});

@@ -388,4 +388,27 @@ Canonical canonical(const Body& body) {
   return Canonical(std::move(form));
 }
 
+CanonicalCounts canonical_counts(const Body& body) {
+  if (!body.is_packed) return canonical_counts(packed(body));
+
+  HalfEdges by_lower_vertex = half_edges_of(body);
+  const std::span<HalfEdge> edges = by_lower_vertex.items();
+  grid::Partition merged = merged_faces(body, edges);
+  const Array<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
+
+  CanonicalCounts r{static_cast<std::size_t>(std::count(needed.begin(), needed.end(), 1)), 0, 0};
+  Array<std::uint8_t> has_edge(body.vertex_count()), has_boundary(body.face_count());
+  for_undirected_edges(edges, [&](std::size_t i, std::size_t j) {
+    if (!edges[i].kept) return true;
+    ++r.edges;
+    has_edge[edges[i].from] = has_edge[edges[i].to] = 1;
+    for (std::size_t k = i; k < j; ++k) has_boundary[merged.find(edges[k].face)] = 1;
+    return true;
+  });
+  r.faces = static_cast<std::size_t>(std::count(has_boundary.begin(), has_boundary.end(), 1));
+  // Two edges become one at a vertex that is not needed.
+  for (std::size_t v = 0; v < needed.size(); ++v) r.edges -= has_edge[v] && !needed[v];
+  return r;
+}
+
 }  // namespace quoin::booleans

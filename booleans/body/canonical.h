@@ -25,4 +25,11 @@ class Canonical : public Boundary {
 /// Precondition: a clean body (B1 - B4).
 Canonical canonical(const Body& body);
 
+/// How much the canonical form has, without making it.
+struct CanonicalCounts {
+  std::size_t vertices, edges, faces;
+};
+/// Precondition: a clean body.
+CanonicalCounts canonical_counts(const Body& body);
+
 }  // namespace quoin::booleans

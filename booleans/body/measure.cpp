@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace quoin::booleans {
 namespace {
@@ -80,6 +81,73 @@ void for_fractions(const Body& body, Visit&& visit) {
   }
 }
 
+constexpr int fraction_bits = 160;
+/// A coordinate in units of 2^-fraction_bits, cut off towards 0.
+using Fixed = exact::Int<exact::world_bits + 2 + fraction_bits>;
+static_assert(Fixed::words == 3);
+
+/// x / w. Precondition: of a point in the world.
+Fixed fixed(const exact::Numerator& x, const exact::Denominator& w) {
+  using Scaled = exact::Int<exact::Numerator::bits + fraction_bits>;
+  const Scaled scaled = exact::shifted_left(Scaled(x.negative() ? -x : x), fraction_bits);
+  std::array<mp_limb_t, Scaled::words> n, q{};
+  std::array<mp_limb_t, exact::Denominator::words> d, rest;
+  static_assert(sizeof(mp_limb_t) == sizeof(std::uint64_t));
+  for (int i = 0; i < Scaled::words; ++i) n[static_cast<std::size_t>(i)] = scaled.limb(i);
+  for (int i = 0; i < exact::Denominator::words; ++i) d[static_cast<std::size_t>(i)] = w.limb(i);
+  auto words = static_cast<mp_size_t>(d.size());
+  while (d[static_cast<std::size_t>(words - 1)] == 0) --words;
+  mpn_tdiv_qr(q.data(), rest.data(), 0, n.data(), static_cast<mp_size_t>(n.size()), d.data(), words);
+
+  const auto word = [&](std::size_t i) {
+    return exact::shifted_left(Fixed(exact::int128(q[i])), static_cast<int>(64 * i));
+  };
+  const Fixed size = exact::narrow<Fixed::bits>(word(0) + word(1) + word(2));
+  return x.negative() ? -size : size;
+}
+
+/// A number that lies within `radius` of `middle`.
+struct Enclosure {
+  Rational middle, radius;
+};
+
+/// The volume of the polygons' cones, as `for_fractions` has it, from coordinates cut off after fraction_bits bits.
+///
+/// With e = 2^-fraction_bits and coordinates of at most 2^29 the cross product of an edge is off by less than
+/// 4 2^29 e + 2 e^2. The polygon's plane has a point of the world, and no component of its normal is longer than n_k,
+/// so |d / n_k| <= 3 2^29, and the edge's volume is off by less than 2^60 e: twice as much as that, quotients being cut
+/// off, too.
+Enclosure polygon_volume(const Body& body) {
+  std::array<Array<Fixed>, 3> place;
+  for (std::size_t k = 0; k < 3; ++k) {
+    place[k].reserve(body.points.size());
+    for (const exact::Point& p : body.points) place[k].push_back(fixed(p.x[k], p.w));
+  }
+  const auto coordinate = [&](std::uint32_t v, std::size_t k) {
+    return body.is_grid(v) ? exact::shifted_left(Fixed(body.grid_points[v].c[k]), fraction_bits)
+                           : place[k][v - body.derived_base()];
+  };
+
+  Integer sum = 0;  // six volumes, in units of 2^(-2 fraction_bits)
+  std::size_t edges = 0;
+  for (std::size_t p = 0; p < body.polygon_count(); ++p) {
+    const exact::Plane& plane = body.planes[p];
+    if (plane.d == 0) continue;
+    const std::size_t k = exact::longest_component(plane.n), u = (k + 1) % 3, v = (k + 2) % 3;
+
+    exact::Int<2 * Fixed::bits + 33> area(0);  // of at most 2^32 edges
+    body.polygons.for_edges(p, [&](std::uint32_t a, std::uint32_t b) {
+      const auto cross = coordinate(a, u) * coordinate(b, v) - coordinate(b, u) * coordinate(a, v);
+      area = exact::narrow<decltype(area)::bits>(area + cross);
+      ++edges;
+    });
+    sum -= exact::to_integer(area) * exact::to_integer(plane.d) / plane.n[k];
+  }
+
+  const Integer unit = Integer(1) << (2 * fraction_bits);
+  return {Rational(sum, 6 * unit), Rational(Integer(edges), Integer(1) << (fraction_bits - 60))};
+}
+
 /// The volumes of raw triangles' cones, together.
 Rational raw_volume(const Body& body) { return Rational(exact::to_integer(six_volumes(body)), Integer(6)); }
 
@@ -92,20 +160,22 @@ Rational volume(const Body& body) {
   return sum.total() + raw_volume(body);
 }
 
+std::size_t volume_bits(const Body& body) {
+  if (!body.is_packed) return volume_bits(packed(body));
+  // Of tetrahedra from the origin over triangles between vertices each has a multiple of 6 and the denominators of its
+  // three vertices as a denominator.
+  std::size_t bits = 0;
+  for (const exact::Point& p : body.points) bits += static_cast<std::size_t>(64 + exact::leading(p.w).exponent);
+  return bits;
+}
+
 double rounded_volume(const Body& body, const Rational& scale) {
   if (!body.is_packed) return rounded_volume(packed(body), scale);
 
-  // Each fraction is cut to a multiple of 2^-bits, towards 0: the sum is off by less than one unit a fraction.
-  constexpr unsigned bits = 192;
-  Integer sum = 0, units = 0;
-  for_fractions(body, [&](Fraction&& f) {
-    sum += (f.n << bits) / f.d;
-    ++units;
-  });
-  const Rational unit = Rational(1) / (Integer(1) << bits), middle = raw_volume(body) + sum * unit;
-
-  const double low = exact::to_double((middle - units * unit) * scale);
-  if (low == exact::to_double((middle + units * unit) * scale)) return low;
+  const Enclosure polygons = polygon_volume(body);
+  const Rational middle = raw_volume(body) + polygons.middle;
+  const double low = exact::to_double((middle - polygons.radius) * scale);
+  if (low == exact::to_double((middle + polygons.radius) * scale)) return low;
   return exact::to_double(volume(body) * scale);
 }
 

@@ -15,6 +15,9 @@ namespace quoin::booleans {
 /// volume of the complement.
 exact::Rational volume(const Body& body);
 
+/// The exact volume's denominator has no more bits than this and three, its numerator no more than that and 100.
+std::size_t volume_bits(const Body& body);
+
 /// That volume times a positive scale, as a double: correctly rounded (ties to even). Long sums of fractions are not
 /// needed for that, only where the volume lies so near the middle of two doubles, or 0, that nothing else tells.
 double rounded_volume(const Body& body, const exact::Rational& scale);

@@ -50,9 +50,9 @@ struct Info {
   std::optional<Box> box = {};
 };
 
-/// What `Info` says of the volume: everything, or what rounding leaves of it. The exact volume of a solid of 100,000
-/// faces may have millions of digits and take seconds.
-enum class Volume { exact, rounded };
+/// What `Info` says of the volume: everything, or what rounding leaves of it, or everything where that takes little
+/// time. The exact volume of a solid of 100,000 faces may have millions of digits and take seconds.
+enum class Volume { exact, rounded, exact_if_short };
 
 /// Where a point lies.
 enum class Location { inside, boundary, outside };

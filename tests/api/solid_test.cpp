@@ -395,11 +395,29 @@ TEST(Solid, InfoInModelUnits) {
   const Info rounded = a.info({}, nullptr, Volume::rounded);
   EXPECT_EQ(rounded.volume, "");
   EXPECT_EQ(rounded.volume_approx, .027);
+  EXPECT_EQ(a.info({}, nullptr, Volume::exact_if_short).volume, "27/1000");
   EXPECT_EQ(info.triangles, 12u);
   EXPECT_TRUE(info.manifold);
   ASSERT_TRUE(info.box);
   EXPECT_EQ((*info.box)[0], (std::array<double, 3>{.1, .2, .3}));
   EXPECT_EQ((*info.box)[1], (std::array<double, 3>{.4, .5, .6}));
+}
+
+// Cubes turned by angles of their own: each adds some hundred bits to the denominator.
+TEST(Solid, InfoOfALongVolume) {
+  std::vector<Solid> cubes;
+  for (int i = 0; i < 360; ++i) {
+    const Motion turn = Motion::rotation({"1", "2", "3"}, std::to_string(i + 1) + ".7").value();
+    const Motion shift = Motion::translation({std::to_string(4 * i), "0", "0"}).value();
+    cubes.push_back(moved(box({0, 0, 0}, {1, 1, 1}, grid_of("1/65536")), turn.then(shift)).value());
+  }
+  const auto exact_if_short = [](const Solid& s) { return s.info({}, nullptr, Volume::exact_if_short); };
+  const Solid all = unite(cubes).value();
+  const Info info = exact_if_short(all), exact = all.info();
+  EXPECT_EQ(info.volume, "");
+  EXPECT_GT(exact.volume.size(), 20000u);
+  EXPECT_EQ(info.volume_approx, exact.volume_approx);
+  EXPECT_EQ(exact_if_short(cubes[0]).volume, cubes[0].info().volume);
 }
 
 TEST(Solid, ThreadsDoNotChangeBytes) {

@@ -47,6 +47,10 @@ TEST(Canonical, DoesNotDependOnOrder) {
     const Canonical form = canonical(body);
     EXPECT_TRUE(canonical(shuffled(body, random)) == form);
     EXPECT_TRUE(canonical(body_of(form)) == form);
+    const CanonicalCounts counts = canonical_counts(body);
+    EXPECT_EQ(counts.vertices, form.vertices.size());
+    EXPECT_EQ(counts.edges, edge_count(form));
+    EXPECT_EQ(counts.faces, form.face_count());
   }
 }
 

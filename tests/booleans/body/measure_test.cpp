@@ -62,6 +62,9 @@ TEST(Measure, RoundedVolume) {
       const exact::Rational scale(1 + static_cast<std::int64_t>(random.below(1000)),
                                   1 + static_cast<std::int64_t>(random.below(1000)));
       ASSERT_EQ(rounded_volume(body, scale), exact::to_double(volume(body) * scale));
+      const auto bits = [](const exact::Integer& v) { return v == 0 ? 0 : msb(abs(v)) + 1; };
+      ASSERT_LE(bits(denominator(volume(body))), volume_bits(body) + 3);
+      ASSERT_LE(bits(numerator(volume(body))), volume_bits(body) + 100);
     }
 }
 
