@@ -241,10 +241,13 @@ std::string names_of(std::span<const std::uint32_t> faces, const Boundary& bound
   return "faces " + std::to_string(numbers[0]) + " and " + std::to_string(numbers[1]);
 }
 
-/// Bytes for a text whose numbers are as long as in most: more are found where they are longer.
-std::size_t room_for(const Boundary& form) {
+/// Room for a text whose numbers are as long as in most: more is found where they are longer.
+std::string room_for(const Boundary& form) {
   constexpr std::size_t vertex = 110, plane = 90, corner = 8;
-  return vertex * form.vertices.size() + plane * form.face_count() + corner * form.faces.corners.size() + 4096;
+  std::string room;
+  room.reserve(vertex * form.vertices.size() + plane * form.face_count() + corner * form.faces.corners.size() + 4096);
+  grid::prefer_large_pages(room.data(), room.capacity());
+  return room;
 }
 
 }  // namespace

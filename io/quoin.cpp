@@ -312,7 +312,9 @@ std::string write_quoin(const ExactDocument& document) {
   assert(are_offsets(document.face_loops, document.planes.size(), document.loop_corners.size() - 1));
   assert(are_offsets(document.loop_corners, document.loop_corners.size() - 1, document.corners.size()));
 
-  QuoinWriter writer(size_bound(document));
+  std::string room;
+  room.reserve(size_bound(document));
+  QuoinWriter writer(std::move(room));
   writer.begin(document.step, document.origin, document.full_at_infinity);
   writer.vertices(document.vertices.size());
   for (const auto& vertex : document.vertices) writer.vertex(vertex);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quoin/result.h"
@@ -50,8 +51,8 @@ bool looks_like_quoin(std::string_view bytes);
 /// faces, loops and corners.
 class QuoinWriter {
  public:
-  /// Room for so many bytes is made at once.
-  explicit QuoinWriter(std::size_t room) { out_.reserve(room); }
+  /// Writes into the memory of a string, whatever that holds.
+  explicit QuoinWriter(std::string room) : out_(std::move(room)) { out_.clear(); }
 
   void begin(std::string_view step, const std::array<std::string_view, 3>& origin, bool full_at_infinity);
   void vertices(std::size_t count);

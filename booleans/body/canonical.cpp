@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <compare>
 #include <iterator>
 #include <numeric>
 #include <tuple>
@@ -11,6 +12,7 @@
 #include "exact/lowest_terms.h"
 #include "exact/predicates.h"
 #include "grid/lists/partition.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -122,16 +124,25 @@ int compare_along(const Body& body, int k, std::uint32_t u, std::uint32_t v) {
   });
 }
 
-/// The needed vertices by exact position.
+/// The needed vertices by exact position, by their numbers where a body that was trusted wrongly has one point twice.
 Array<std::uint32_t> ordered_vertices(const Body& body, const Array<std::uint8_t>& needed) {
-  Array<std::uint32_t> order;
+  struct Key {
+    double x;
+    std::uint32_t vertex;
+  };
+  Array<Key> keys;
   for (std::uint32_t v = 0; v < needed.size(); ++v)
-    if (needed[v]) order.push_back(v);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
+    if (needed[v]) keys.push_back({body.approximation(v)[0], v});
+  grid::sort_side_by_side(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    if (a.x != b.x) return a.x < b.x;
     for (int k = 0; k < 3; ++k)
-      if (const int c = compare_along(body, k, u, v)) return c < 0;
-    return false;
+      if (const int c = compare_along(body, k, a.vertex, b.vertex)) return c < 0;
+    return a.vertex < b.vertex;
   });
+
+  Array<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const Key& k : keys) order.push_back(k.vertex);
   return order;
 }
 
@@ -146,8 +157,8 @@ HalfEdges face_edges(std::span<const HalfEdge> all, grid::Partition& merged, std
       visit(face, HalfEdge{e.from, e.to, face, e.run, true});
     }
   });
-  by_face.sort_each(
-      [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+  sort_each(by_face,
+            [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
   return by_face;
 }
 
@@ -317,12 +328,13 @@ void add_loops(std::span<const HalfEdge> face, Array<std::uint32_t>& next, const
   }
 }
 
-/// The merged faces, in the order of their smallest members.
+/// The merged faces of which begin .. end - 1 are the smallest members, in this order.
 Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank) {
+                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank, std::uint32_t begin,
+                      std::uint32_t end) {
   Boundary r;
   DividingDesk desk;
-  for (std::uint32_t f = 0; f < body.face_count(); ++f) {
+  for (std::uint32_t f = begin; f < end; ++f) {
     const std::span<const HalfEdge> face = by_face[f];
     if (face.empty()) continue;
 
@@ -342,18 +354,52 @@ Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const Hal
   return r;
 }
 
-// 6. Order of the faces
-
-/// Faces by plane, those on one plane by their loops: no two have a loop in common, so the first decides.
-Boundary in_order(const Boundary& traced) {
-  Array<std::uint32_t> order(traced.face_count());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
-    if (const int c = exact::compare(traced.planes[f], traced.planes[g])) return c < 0;
-    const auto p = traced.faces.loop(traced.faces.face_start[f]), q = traced.faces.loop(traced.faces.face_start[g]);
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+/// All merged faces, in the order of their smallest members.
+Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
+                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank) {
+  const std::size_t length = grid::long_stretch(body.face_count(), std::size_t{1} << 12);
+  std::vector<Boundary> parts(body.face_count() / length + 1);
+  grid::in_stretches(body.face_count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    parts[s] = traced_faces(body, all, by_face, points, rank, static_cast<std::uint32_t>(begin),
+                            static_cast<std::uint32_t>(end));
   });
 
+  Boundary r = std::move(parts[0]);
+  for (std::size_t s = 1; s < parts.size(); ++s) {
+    r.planes.insert(r.planes.end(), parts[s].planes.begin(), parts[s].planes.end());
+    r.faces.append(parts[s].faces);
+  }
+  return r;
+}
+
+// 6. Order of the faces
+
+/// Faces by plane, those on one plane by their loops: no two have a loop in common, so the first decides; of a body
+/// that was trusted wrongly, in the end by their numbers.
+Array<std::uint32_t> ordered_faces(const Boundary& traced) {
+  struct Key {
+    std::int64_t a;
+    std::uint32_t face;
+  };
+  Array<Key> keys(traced.face_count());
+  for (std::uint32_t f = 0; f < keys.size(); ++f) keys[f] = {traced.planes[f].n[0], f};
+  grid::sort_side_by_side(keys.begin(), keys.end(), [&](const Key& x, const Key& y) {
+    if (x.a != y.a) return x.a < y.a;
+    if (const int c = exact::compare(traced.planes[x.face], traced.planes[y.face])) return c < 0;
+    const auto loop = [&](const Key& k) { return traced.faces.loop(traced.faces.face_start[k.face]); };
+    const auto p = loop(x), q = loop(y);
+    const auto c = std::lexicographical_compare_three_way(p.begin(), p.end(), q.begin(), q.end());
+    return c != 0 ? c < 0 : x.face < y.face;
+  });
+
+  Array<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const Key& k : keys) order.push_back(k.face);
+  return order;
+}
+
+Boundary in_order(const Boundary& traced) {
+  const Array<std::uint32_t> order = ordered_faces(traced);
   Boundary r;
   r.planes.reserve(order.size());
   r.faces.reserve(order.size(), traced.faces.loop_count(), traced.faces.corners.size());
@@ -383,8 +429,12 @@ Canonical canonical(const Body& body) {
   const HalfEdges by_face = face_edges(edges, merged, body.face_count());
   Boundary form = in_order(traced_faces(body, edges, by_face, points, rank));
   form.full_at_infinity = body.full_at_infinity;
-  form.vertices.reserve(order.size());
-  for (const std::uint32_t v : order) form.vertices.push_back(exact::reduced(body.point(v)));
+  form.vertices.resize(order.size());
+  grid::in_stretches(order.size(), grid::stretch(std::size_t{1} << 12),
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                         form.vertices[i] = exact::reduced(body.point(order[i]));
+                     });
   return Canonical(std::move(form));
 }
 

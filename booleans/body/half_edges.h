@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "grid/lists/buckets.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 
@@ -20,6 +21,15 @@ struct HalfEdge {
 };
 using HalfEdges = grid::Buckets<HalfEdge>;
 
+/// Sorts the half-edges of each bucket, no two of which are equal.
+template <class Less>
+void sort_each(HalfEdges& edges, Less less) {
+  grid::in_stretches(edges.size(), grid::stretch(std::size_t{1} << 13),
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t k = begin; k < end; ++k) std::sort(edges[k].begin(), edges[k].end(), less);
+                     });
+}
+
 /// All half-edges of `face_count` faces, in buckets by their lower vertex, in these by undirected edge, then by face,
 /// then by direction. for_edges(face, visit): visit(from, to) for the half-edges of a face; it is called twice.
 template <class ForEdges>
@@ -28,7 +38,7 @@ HalfEdges half_edges(std::size_t face_count, std::size_t vertex_count, ForEdges&
     for (std::uint32_t f = 0; f < face_count; ++f)
       for_edges(f, [&](std::uint32_t u, std::uint32_t v) { visit(std::min(u, v), HalfEdge{u, v, f, 0, true}); });
   });
-  edges.sort_each([](const HalfEdge& a, const HalfEdge& b) {
+  sort_each(edges, [](const HalfEdge& a, const HalfEdge& b) {
     const std::uint32_t p = std::max(a.from, a.to), q = std::max(b.from, b.to);
     return std::tie(p, a.face, a.from) < std::tie(q, b.face, b.from);
   });

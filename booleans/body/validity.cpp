@@ -8,6 +8,7 @@
 #include "exact/filter_bounds.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
+#include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 namespace {
@@ -108,6 +109,18 @@ std::optional<Fault> face_fault(const Boundary& boundary, std::size_t f) {
   return std::nullopt;
 }
 
+/// Of the first face that has one.
+std::optional<Fault> face_fault(const Boundary& boundary) {
+  const std::size_t length = grid::long_stretch(boundary.face_count(), std::size_t{1} << 12);
+  std::vector<std::optional<Fault>> found(boundary.face_count() / length + 1);
+  grid::in_stretches(boundary.face_count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end && !found[s]; ++f) found[s] = face_fault(boundary, f);
+  });
+
+  const auto first = std::find_if(found.begin(), found.end(), [](const auto& fault) { return fault.has_value(); });
+  return first != found.end() ? *first : std::nullopt;
+}
+
 /// Faults of the half-edges begin .. end - 1, which are those of one undirected edge.
 std::optional<Fault> edge_fault(const Boundary& boundary, std::span<const HalfEdge> edges, std::size_t begin,
                                 std::size_t end) {
@@ -152,8 +165,7 @@ std::optional<Fault> edge_fault(const Boundary& boundary) {
 
 std::optional<Fault> fault(const Boundary& boundary) {
   if (auto fault = vertex_fault(boundary.vertices)) return fault;
-  for (std::size_t f = 0; f < boundary.face_count(); ++f)
-    if (auto fault = face_fault(boundary, f)) return fault;
+  if (auto fault = face_fault(boundary)) return fault;
   return edge_fault(boundary);
 }
 

@@ -63,12 +63,6 @@ class Buckets {
   std::span<Item> items() { return {items_.get(), item_count()}; }
   std::uint32_t start(std::size_t bucket) const { return start_[bucket]; }
 
-  /// Sorts the items of each bucket.
-  template <class Less>
-  void sort_each(Less less) {
-    for (std::size_t k = 0; k < size(); ++k) std::sort((*this)[k].begin(), (*this)[k].end(), less);
-  }
-
  private:
   /// n items without a value of their own.
   class Memory {

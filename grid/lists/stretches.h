@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "grid/lists/array.h"
@@ -75,12 +76,12 @@ void in_shares(std::size_t count, Visit&& visit) {
 }
 
 /// Sorts items of which no two are equal.
-template <class Iterator>
-void sort_side_by_side(Iterator begin, Iterator end) {
+template <class Iterator, class Less = std::less<>>
+void sort_side_by_side(Iterator begin, Iterator end, Less less = {}) {
   if (Serially::here())
-    std::sort(begin, end);
+    std::sort(begin, end, less);
   else
-    tbb::parallel_sort(begin, end);
+    tbb::parallel_sort(begin, end, less);
 }
 
 /// The lists one after the other, as what was kept by stretch is put together.
