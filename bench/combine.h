@@ -33,6 +33,11 @@ Solid combine(const std::string& operation, const std::vector<Solid>& s, Evaluat
     for (std::size_t i = 0; i + 1 < s.size(); i += 2) parts.push_back(all[i] - all[i + 1]);
     return evaluate(Expression::unite(parts));
   }
+  if (operation == "nested") {
+    Expression nested = all.back();
+    for (std::size_t i = all.size() - 1; i-- > 0;) nested = all[i] - nested;
+    return evaluate(nested);
+  }
   Solid result = s[0];
   for (const Expression& next : rest) result = evaluate(operation == "unions" ? result + next : result - next);
   return result;

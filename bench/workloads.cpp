@@ -1,6 +1,7 @@
 #include "bench/workloads.h"
 
 #include "bench/combine.h"
+#include "bench/hard_shapes.h"
 
 #include <array>
 #include <cmath>
@@ -178,7 +179,7 @@ std::vector<Mesh> skinny(std::size_t n) {
 }  // namespace
 
 const char* name(Operation operation) {
-  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences", "parts"};
+  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences", "parts", "nested"};
   return names[static_cast<std::size_t>(operation)];
 }
 
@@ -211,6 +212,15 @@ const std::vector<Workload>& workloads() {
       {"bored-box", "sides", 100, subtract, coarse, bored_box},
       {"balls", "triangles each", 320, unite, fine, two_small_spheres},
       {"skinny", "skinny triangles each", 15000, unite, fine, skinny},
+      {"one-apex", "pyramids", 4000, unite, fine, pyramids_with_one_apex},
+      {"cones-one-apex", "sides", 4000, unite, fine, cones_with_one_apex},
+      {"crossing-cones", "sides", 4000, unite, fine, crossing_cones},
+      {"one-edge", "wedges", 4000, unite, fine, wedges_at_one_edge},
+      {"slivers", "tetrahedra each", 16000, unite, fine, slivers},
+      {"prism-caps", "sides", 16000, subtract, fine, prism_caps},
+      {"duplicates", "solids", 2000, unite, fine, stacked_duplicates},
+      {"stars", "tips", 16000, intersect, fine, star_polygons},
+      {"nested", "boxes", 4000, subtract_nested, fine, nested_boxes},
   };
   return all;
 }

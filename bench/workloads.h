@@ -17,9 +17,10 @@ enum class Operation {
   unite_each,         // one union after the other, each result an operand of the next
   subtract_each,      // one difference after the other
   unite_differences,  // the union of each operand without the one after it
+  subtract_nested,    // the first without (the second without (the third ..))
 };
 
-/// "union", "intersection", "difference", "unions", "differences", "parts".
+/// "union", "intersection", "difference", "unions", "differences", "parts", "nested".
 const char* name(Operation operation);
 
 struct Workload {

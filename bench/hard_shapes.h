@@ -1,0 +1,39 @@
+/// \file
+/// Shapes on which work tends to grow faster than what comes out of it: everything meets in one point or along one
+/// edge, all boxes overlap, all surfaces coincide. The output of each is linear in its size.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "quoin/quoin.h"
+
+namespace quoin::bench {
+
+/// n thin pyramids that meet in their common apex only.
+std::vector<Mesh> pyramids_with_one_apex(std::size_t n);
+
+/// Two cones of n sides that cross; they have one apex, or one is moved sideways.
+std::vector<Mesh> cones_with_one_apex(std::size_t n);
+std::vector<Mesh> crossing_cones(std::size_t n);
+
+/// n wedges that meet along their common edge only.
+std::vector<Mesh> wedges_at_one_edge(std::size_t n);
+
+/// Two layers, each of n thin tetrahedra side by side in one mesh; the boxes of nearly all pairs meet, their tetrahedra
+/// do not.
+std::vector<Mesh> slivers(std::size_t n);
+
+/// Two prisms of n sides whose caps, fans from one corner of the rim, lie in the same planes.
+std::vector<Mesh> prism_caps(std::size_t n);
+
+/// n solids of 80 triangles in one place.
+std::vector<Mesh> stacked_duplicates(std::size_t n);
+
+/// Two prisms over stars of n tips, each tip of one between two of the other.
+std::vector<Mesh> star_polygons(std::size_t n);
+
+/// n boxes, each inside the one before it.
+std::vector<Mesh> nested_boxes(std::size_t n);
+
+}  // namespace quoin::bench
