@@ -1,6 +1,7 @@
 #include "booleans/arrangement/line_trace.h"
 
 #include "booleans/arrangement/frame.h"
+#include "booleans/pairs/directions.h"
 
 namespace quoin::booleans {
 namespace {
@@ -19,7 +20,9 @@ void LineTracer::find_stops(const FaceLine& line, const Box& box, Trace& trace) 
 
   const BoxTree* tree = touched_.edge_tree[line.face].get();
   if (tree) {
-    tree->meeting(box, [&](std::uint32_t e) { add_stops(line, e, trace.stops); });
+    const exact::Plane& other = names_.planes[line.other];
+    const auto may_stop = [&](const Box& edges) { return !strictly_on_one_side(other, edges); };
+    tree->meeting(box, may_stop, [&](std::uint32_t e) { add_stops(line, e, trace.stops); });
   } else {
     const TouchedFace& face = touched_.faces[line.face];
     for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, trace.stops);

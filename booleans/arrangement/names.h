@@ -73,6 +73,13 @@ class VertexTable {
   bool is_grid(VertexId v) const { return derived_[v] == none; }
   /// Precondition: is_grid(v).
   exact::GridPoint grid_point(VertexId v) const { return exact::grid_point(approximations_[v]); }
+  /// Makes the box hold a vertex, exactly.
+  void add_to(Box& box, VertexId v) const {
+    if (is_grid(v))
+      box.add(grid_point(v));
+    else
+      box.add_around(approximation(v));
+  }
   exact::Point point(VertexId v) const { return is_grid(v) ? exact::point(grid_point(v)) : points_[derived_[v]]; }
 
   /// The side of a vertex to a plane: +1 on its positive side, 0 on it, -1.

@@ -1,5 +1,7 @@
 #include "booleans/arrangement/touched.h"
 
+#include <unordered_map>
+
 #include "booleans/arrangement/spared_loops.h"
 #include "grid/lists/stretches.h"
 
@@ -190,39 +192,68 @@ class Collector {
     end_region();
   }
 
-  /// Gives every edge of a face its other plane and lists the untouched faces that hang at it.
+  /// The planes of the last face at an edge, and of the last one on another plane; none where there is none. Indices
+  /// into part.planes.
+  struct EdgePlanes {
+    std::uint32_t last = none, other = none;
+    std::uint32_t faces = 0;
+  };
+
+  /// Lists the untouched faces at an edge, too.
+  EdgePlanes planes_at(const TouchedPart::Edge& e) {
+    EdgePlanes found;
+    const auto add_face = [&](std::uint32_t f, bool forward) {
+      ++found.faces;
+      std::uint32_t plane = touched_of_[f].value;
+      if (plane == none) {
+        part.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, f});
+        plane = new_plane(body_.plane(f));
+      }
+      if (found.last != none && !same_plane(part.planes[found.last], part.planes[plane])) found.other = found.last;
+      found.last = plane;
+    };
+    if (e.across != none)
+      add_face(e.across, false);
+    else
+      at_edge(e.from, e.to).faces_at_edge(e.from, e.to, add_face);
+    return found;
+  }
+
+  /// The same; asks once only about an edge of many faces.
+  EdgePlanes known_planes_at(const TouchedPart::Edge& e) {
+    const std::uint64_t edge = std::uint64_t{std::min(e.from, e.to)} << 32 | std::max(e.from, e.to);
+    if (!crowded_.empty())
+      if (const auto known = crowded_.find(edge); known != crowded_.end()) return known->second;
+
+    const EdgePlanes found = planes_at(e);
+    constexpr std::uint32_t many = 8;
+    if (found.faces > many) crowded_.emplace(edge, found);
+    return found;
+  }
+
+  /// Gives every edge of a face its other plane.
   void find_other_planes(TouchedId t) {
     const exact::Plane own = part.planes[t.value];
-    const auto new_plane = [&](const exact::Plane& plane) {
-      part.planes.push_back(plane);
-      return static_cast<std::uint32_t>(part.planes.size() - 1);
-    };
-
     for (std::uint32_t i = part.faces[t].edges_begin; i < part.faces[t].edges_end; ++i) {
       TouchedPart::Edge& e = part.edges[i];
-      const auto add_face = [&](std::uint32_t f, bool forward) {
-        const TouchedId g = touched_of_[f];
-        if (g == t) return;
-        if (g != none) {
-          if (!same_plane(part.planes[g.value], own)) e.other = g.value;
-          return;
-        }
-        part.untouched.push_back({forward ? e.from : e.to, forward ? e.to : e.from, f});
-        if (const exact::Plane plane = body_.plane(f); !same_plane(plane, own)) e.other = new_plane(plane);
-      };
-      if (e.across != none)
-        add_face(e.across, false);
-      else
-        at_edge(e.from, e.to).faces_at_edge(e.from, e.to, add_face);
+      const auto [last, other, faces] = known_planes_at(e);
+      for (const std::uint32_t plane : {other, last})
+        if (plane != none && !same_plane(part.planes[plane], own)) e.other = plane;
       if (e.other != none) continue;
       assert(body_.is_grid(e.from) && body_.is_grid(e.to));
       e.other = new_plane(exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], own));
     }
   }
 
+  std::uint32_t new_plane(const exact::Plane& plane) {
+    part.planes.push_back(plane);
+    return static_cast<std::uint32_t>(part.planes.size() - 1);
+  }
+
   const Body& body_;
   const SparedLoops spared_;
-  grid::Paged<TouchedId> touched_of_;  // by own face
+  grid::Paged<TouchedId> touched_of_;                      // by own face
+  std::unordered_map<std::uint64_t, EdgePlanes> crowded_;  // of edges of many faces
 };
 
 /// Gives the planes and vertices of a part their names, and adds it.
@@ -286,8 +317,7 @@ std::unique_ptr<const BoxTree> tree_of_edges(const Touched& touched, TouchedId t
   Array<BoxTree::Item> items;
   for (std::uint32_t e = touched.faces[t].edges_begin; e < touched.faces[t].edges_end; ++e) {
     Box box;
-    box.add(vertices.approximation(touched.edges[e].from));
-    box.add(vertices.approximation(touched.edges[e].to));
+    for (const VertexId v : {touched.edges[e].from, touched.edges[e].to}) vertices.add_to(box, v);
     items.push_back({box, e, e});
   }
   return std::make_unique<const BoxTree>(items);
