@@ -1,43 +1,9 @@
 #include "booleans/pairs/block_slabs.h"
 
-#include <cmath>
-
+#include "booleans/pairs/directions.h"
 #include "exact/filter_bounds.h"
 
 namespace quoin::booleans {
-
-std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box) {
-  std::array<exact::GridPoint, 2> r{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    r[0].c[k] = n[k] < 0 ? box.high[k] : box.low[k];
-    r[1].c[k] = n[k] < 0 ? box.low[k] : box.high[k];
-  }
-  return r;
-}
-
-namespace {
-
-std::int64_t value(const std::array<std::int64_t, 3>& n, const exact::GridPoint& p) {
-  return n[0] * p.c[0] + n[1] * p.c[1] + n[2] * p.c[2];
-}
-
-template <class Number>
-std::array<Number, 3> cross(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-std::array<double, 3> doubles(const std::array<std::int64_t, 3>& n) {
-  return {double(n[0]), double(n[1]), double(n[2])};
-}
-
-/// In the direction of d, components at most `size`.
-std::array<std::int64_t, 3> scaled(const std::array<double, 3>& d, int size) {
-  const double longest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
-  std::array<std::int64_t, 3> n{};
-  for (std::size_t k = 0; k < 3; ++k) n[k] = longest > 0 ? static_cast<std::int64_t>(d[k] * size / longest) : 0;
-  return n;
-}
-
-}  // namespace
 
 LanePairs BlockSlabs::apart(std::uint32_t x, std::uint32_t y) const {
   const Slab &a = slabs_[slab_of_[x]], &b = slabs_[slab_of_[y]];

@@ -82,7 +82,4 @@ class BlockSlabs {
   Array<Slab> slabs_;
 };
 
-/// The corners of a box that lie lowest and highest along a direction.
-std::array<exact::GridPoint, 2> ends_along(const std::array<std::int64_t, 3>& n, const Box& box);
-
 }  // namespace quoin::booleans

@@ -110,14 +110,19 @@ class BoxTree {
   /// The box of the i-th item in the tree's order.
   Box box(std::uint32_t i) const { return levels_[0].blocks[i / BoxBlock::width].box(i % BoxBlock::width); }
 
+  /// The group of the i-th item in the tree's order.
+  std::uint32_t group(std::uint32_t i) const { return levels_[0].group[i]; }
+
   enum class Pairs {
     all,
     foreign  // of items of different groups
   };
-  /// visit(x, y), x <= y, for blocks of items whose boxes meet; among them are all that hold such pairs, each once.
-  template <class Visit>
-  void block_pairs(Pairs wanted, Visit&& visit) const {
-    if (!levels_.empty()) self(levels_.size() - 1, 0, wanted, visit);
+  /// visit(x, y), x <= y, for blocks of items whose boxes meet; among them are all that hold such pairs, each once, but
+  /// for what is passed over: pass(level, x, y) is asked about two nodes, in each of which 8^level items follow each
+  /// other, where many of the pairs between their parts have boxes that meet.
+  template <class Pass, class Visit>
+  void block_pairs(Pairs wanted, Pass&& pass, Visit&& visit) const {
+    if (!levels_.empty()) self(levels_.size() - 1, 0, wanted, pass, visit);
   }
   /// The pairs of an item of block x and one of block y, x <= y, whose boxes meet, each pair once.
   LanePairs lane_pairs(Pairs wanted, std::uint32_t x, std::uint32_t y) const {
@@ -139,7 +144,8 @@ class BoxTree {
   /// visit(id, id') for every pair of items whose boxes meet, each pair once.
   template <class Visit>
   void pairs(Visit&& visit, Pairs wanted = Pairs::all) const {
-    block_pairs(wanted, [&](std::uint32_t x, std::uint32_t y) {
+    const auto never = [](std::size_t, std::uint32_t, std::uint32_t) { return false; };
+    block_pairs(wanted, never, [&](std::uint32_t x, std::uint32_t y) {
       for (LanePairs left = lane_pairs(wanted, x, y); left != 0; left &= left - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
         visit(ids_[x * BoxBlock::width + lane / BoxBlock::width], ids_[y * BoxBlock::width + lane % BoxBlock::width]);
@@ -151,7 +157,13 @@ class BoxTree {
   /// in y come first.
   template <class Visit>
   void meeting(const Box& box, Visit&& visit) const {
-    if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
+    meeting(
+        box, [](const Box&) { return true; }, visit);
+  }
+  /// The same, but for items in boxes that are not of interest; that of an item is in those of the nodes above it.
+  template <class Of, class Visit>
+  void meeting(const Box& box, Of&& of_interest, Visit&& visit) const {
+    if (!levels_.empty()) descend(levels_.size() - 1, 0, box, of_interest, visit);
   }
 
  private:
@@ -184,47 +196,53 @@ class BoxTree {
   }
 
   /// The pairs of items below one block of a level.
-  template <class Visit>
-  void self(std::size_t level, std::uint32_t b, Pairs wanted, Visit& visit) const {
+  template <class Pass, class Visit>
+  void self(std::size_t level, std::uint32_t b, Pairs wanted, Pass& pass, Visit& visit) const {
     if (level == 0) return visit(b, b);
     const Level& here = levels_[level];
     const BoxBlock& block = here.blocks[b];
     const std::uint32_t begin = b * BoxBlock::width, end = std::min(begin + BoxBlock::width, here.count);
     for (std::uint32_t x = begin; x < end; ++x) {
-      if (!idle(wanted, here.group[x], here.group[x])) self(level - 1, x, wanted, visit);
+      if (!idle(wanted, here.group[x], here.group[x])) self(level - 1, x, wanted, pass, visit);
       for (unsigned left = block.meeting(block.box(x - begin)) & (~1u << (x - begin)); left != 0; left &= left - 1)
-        cross(level, x, begin + lowest(left), wanted, visit);
+        cross(level, x, begin + lowest(left), wanted, pass, visit);
     }
   }
 
   /// Lanes x and y of a level, whose boxes meet: the pairs between the blocks that they stand for.
-  template <class Visit>
-  void cross(std::size_t level, std::uint32_t x, std::uint32_t y, Pairs wanted, Visit& visit) const {
+  template <class Pass, class Visit>
+  void cross(std::size_t level, std::uint32_t x, std::uint32_t y, Pairs wanted, Pass& pass, Visit& visit) const {
     const Level& here = levels_[level];
     if (idle(wanted, here.group[x], here.group[y])) return;
     if (level == 1) return visit(x, y);
     const BoxBlock &a = levels_[level - 1].blocks[x], &b = levels_[level - 1].blocks[y];
+    LanePairs parts = 0;
     for (unsigned left = a.meeting(here.blocks[y / BoxBlock::width].box(y % BoxBlock::width)); left != 0;
-         left &= left - 1) {
-      const std::uint32_t i = lowest(left);
-      for (unsigned lanes = b.meeting(a.box(i)); lanes != 0; lanes &= lanes - 1)
-        cross(level - 1, x * BoxBlock::width + i, y * BoxBlock::width + lowest(lanes), wanted, visit);
+         left &= left - 1)
+      parts |= LanePairs{b.meeting(a.box(lowest(left)))} << (BoxBlock::width * lowest(left));
+
+    if (std::popcount(parts) > grid::thresholds().crowded_nodes && pass(level, x, y)) return;
+    for (; parts != 0; parts &= parts - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(parts));
+      cross(level - 1, x * BoxBlock::width + lane / BoxBlock::width, y * BoxBlock::width + lane % BoxBlock::width,
+            wanted, pass, visit);
     }
   }
 
-  template <class Visit>
-  void descend(std::size_t level, std::uint32_t b, const Box& box, Visit& visit) const {
+  template <class Of, class Visit>
+  void descend(std::size_t level, std::uint32_t b, const Box& box, Of& of_interest, Visit& visit) const {
     const BoxBlock& block = levels_[level].blocks[b];
     for (unsigned left = block.meeting(box); left != 0;) {
       std::uint32_t top = lowest(left);
       for (unsigned rest = left; rest != 0; rest &= rest - 1)
         if (block.high[1][lowest(rest)] > block.high[1][top]) top = lowest(rest);
       left &= ~(1u << top);
-      if (!block.box(top).meets(box)) continue;  // it has shrunk
+      const Box lane = block.box(top);
+      if (!lane.meets(box) || !of_interest(lane)) continue;  // it may have shrunk
       if (level == 0)
         visit(ids_[b * BoxBlock::width + top]);
       else
-        descend(level - 1, b * BoxBlock::width + top, box, visit);
+        descend(level - 1, b * BoxBlock::width + top, box, of_interest, visit);
     }
   }
 

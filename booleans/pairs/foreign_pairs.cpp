@@ -1,19 +1,13 @@
 #include "booleans/pairs/foreign_pairs.h"
 
 #include "booleans/pairs/cell_filter.h"
+#include "booleans/pairs/directions.h"
 #include "booleans/pairs/pair_search.h"
 #include "booleans/pairs/triangle_pair.h"
-#include "exact/predicates.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 namespace {
-
-/// Does the box lie strictly on one side of the plane?
-bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
-  const auto [lowest, highest] = ends_along(plane.n, box);
-  return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
-}
 
 /// Do all corners of the face lie strictly on one side of the plane?
 bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint32_t face) {
@@ -114,7 +108,7 @@ FacePairs foreign_pairs(const Operands& operands) {
     return !apart(i, j) && !apart(j, i);
   };
 
-  return PairSearch(faces, tree, skip_nothing, may_meet).run(BoxTree::Pairs::foreign);
+  return PairSearch(faces, tree, InParts::one_each, skip_nothing, may_meet).run(BoxTree::Pairs::foreign);
 }
 
 }  // namespace quoin::booleans

@@ -69,7 +69,7 @@ FacePairs improper_pairs(const Body& mesh, const Array<Star>& star_of) {
   const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
     return meet_out_of_place(mesh, own.faces[i].face, own.faces[j].face);
   };
-  return PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
+  return PairSearch(own.faces, own.tree, InParts::passed, std::cref(neighbours), wanted).run(BoxTree::Pairs::all);
 }
 
 FacePairs doubtful_pairs(const Body& body) {
@@ -89,7 +89,8 @@ FacePairs doubtful_pairs(const Body& body) {
   const auto wanted = [&](std::uint32_t i, std::uint32_t j) {
     return !prover.proved(own.faces[i].face, own.faces[j].face);
   };
-  const auto others = PairSearch(own.faces, own.tree, std::cref(neighbours), wanted).run(BoxTree::Pairs::foreign);
+  const auto others =
+      PairSearch(own.faces, own.tree, InParts::passed, std::cref(neighbours), wanted).run(BoxTree::Pairs::foreign);
   found.insert(found.end(), others.begin(), others.end());
   return found;
 }

@@ -2,13 +2,17 @@
 /// The search for pairs of faces: boxes, then slabs where many boxes overlap, then an exact test, in parallel.
 #pragma once
 
-#include "booleans/pairs/block_slabs.h"
 #include "booleans/pairs/operands.h"
+#include "booleans/pairs/subtrees.h"
 
 namespace quoin::booleans {
 
 /// What a search without neighbours skips.
 inline constexpr auto skip_nothing = [](std::uint32_t, std::uint32_t) { return 0u; };
+
+/// Faces that meet in common corners and edges only: no pairs; or, as those that lie on one plane, each with one of the
+/// pairs that it is in, of different groups.
+enum class InParts { passed, one_each };
 
 /// Finds the pairs that a test accepts, smaller id first, in an order that depends on the tree alone.
 /// skip(i, block): which faces of the block are not wanted with the i-th face; bits.
@@ -17,11 +21,18 @@ template <class Skip, class Wanted>
 class PairSearch {
  public:
   /// The faces in the tree's order.
-  PairSearch(const Array<SearchedFace>& faces, const BoxTree& tree, Skip skip, Wanted wanted)
-      : tree_(tree), slabs_(faces, tree), skip_(skip), wanted_(wanted) {}
+  PairSearch(const Array<SearchedFace>& faces, const BoxTree& tree, InParts in_parts, Skip skip, Wanted wanted)
+      : faces_(faces),
+        tree_(tree),
+        in_parts_(in_parts),
+        slabs_(faces, tree),
+        subtrees_(faces, tree, in_parts == InParts::one_each),
+        skip_(skip),
+        wanted_(wanted) {}
 
   FacePairs run(BoxTree::Pairs pairs) {
-    tree_.block_pairs(pairs, [&](std::uint32_t x, std::uint32_t y) {
+    const auto pass = [&](std::size_t level, std::uint32_t x, std::uint32_t y) { return passed(level, x, y); };
+    tree_.block_pairs(pairs, pass, [&](std::uint32_t x, std::uint32_t y) {
       waiting_.push_back({x, y, 0});
       if (waiting_.size() == most) test(pairs);
     });
@@ -49,12 +60,48 @@ class PairSearch {
       p.lanes = tree_.lane_pairs(pairs, p.x, p.y);
       p.lanes &= ~skipped(p);
     });
-    for (const BlockPair& p : waiting_)
-      if (std::popcount(p.lanes) > grid::thresholds().crowded_blocks) slabs_.need(p.x), slabs_.need(p.y);
+    for (BlockPair& p : waiting_) {
+      if (std::popcount(p.lanes) <= grid::thresholds().crowded_blocks) continue;
+      if (p.x != p.y && passed(1, p.x, p.y))
+        p.lanes = 0;
+      else
+        slabs_.need(p.x), slabs_.need(p.y);
+    }
     Array<FacePairs> found((waiting_.size() + chunk - 1) / chunk);
     in_parallel(waiting_.size(), [&](std::size_t c, std::size_t i) { test(waiting_[i], found[c]); });
     for (const auto& f : found) found_.insert(found_.end(), f.begin(), f.end());
     waiting_.clear();
+  }
+
+  /// May the pairs of faces below two nodes be passed over? Adds the pairs that stand for them.
+  bool passed(std::size_t level, std::uint32_t x, std::uint32_t y) {
+    const Relation relation = subtrees_.relation(level, x, y);
+    if (relation == Relation::in_parts && in_parts_ == InParts::one_each) {
+      name_each(level, x, x, y);
+      name_each(level, y, x, y);
+    }
+    return relation != Relation::unknown;
+  }
+  /// Each face below a node that may meet one of another group below x or y in a pair with such a one.
+  void name_each(std::size_t level, std::uint32_t node, std::uint32_t x, std::uint32_t y) {
+    named_.resize(faces_.size());
+    for (std::uint32_t i = subtrees_.begin(level, node); i < subtrees_.end(level, node); ++i) {
+      const std::uint32_t j = named_[i] ? i : partner(i, level, x, y);
+      if (j == i) continue;
+      named_[i] = named_[j] = 1;
+      const std::uint32_t a = tree_.ids()[i], b = tree_.ids()[j];
+      found_.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
+    }
+  }
+  /// A face of another group below x or y whose box meets that of i; any, if many do not; i, if there is none.
+  std::uint32_t partner(std::uint32_t i, std::size_t level, std::uint32_t x, std::uint32_t y) const {
+    constexpr int many = 64;
+    const Box box = tree_.box(i);
+    int tried = 0;
+    for (const std::uint32_t n : {x, y})
+      for (std::uint32_t j = subtrees_.begin(level, n); j < subtrees_.end(level, n); ++j)
+        if (tree_.group(j) != tree_.group(i) && (box.meets(tree_.box(j)) || ++tried == many)) return j;
+    return i;
   }
 
   LanePairs skipped(const BlockPair& p) const {
@@ -77,12 +124,16 @@ class PairSearch {
     }
   }
 
+  const Array<SearchedFace>& faces_;
   const BoxTree& tree_;
+  const InParts in_parts_;
   BlockSlabs slabs_;
+  Subtrees subtrees_;
   const Skip skip_;
   const Wanted wanted_;
   Array<BlockPair> waiting_;
   FacePairs found_;
+  Array<std::uint8_t> named_;  // by place in the tree: it has a pair that stands for those passed over
 };
 
 }  // namespace quoin::booleans

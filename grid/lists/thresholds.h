@@ -60,14 +60,16 @@ struct Thresholds {
   std::size_t few_leaves = 256;
   /// Subtrees of at most so many leaves, of an expression that has more, are evaluated by themselves.
   std::size_t subtree = 16;
+  /// Nodes of a tree of boxes with more pairs of parts than this whose boxes meet are compared as a whole first.
+  int crowded_nodes = 32;
 
   static constexpr Thresholds smallest() {
-    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2};
+    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0};
   }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
     return {all, all, all, all, all, 64,  64,  all, all, all,     24, all,
-            all, all, all, all, all, all, all, 64,  all, 1 << 12, all};
+            all, all, all, all, all, all, all, 64,  all, 1 << 12, all, 64};
   }
   /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
   static constexpr Thresholds patched() {
