@@ -34,6 +34,13 @@ Result<Rational> number(std::string_view text, const std::string& name, const st
   return *value;
 }
 
+Result<Rational> positive_step(std::string_view text) {
+  auto step = number(text, "grid step", "step");
+  if (step && step.value() <= 0)
+    return bad_number("the grid step \"" + std::string(text) + "\" is not positive", "step");
+  return step;
+}
+
 }  // namespace
 
 Grid Access::grid(grid::Lattice lattice) {
@@ -53,15 +60,17 @@ Grid::~Grid() = default;
 Grid::Grid(const Grid&) = default;
 Grid& Grid::operator=(const Grid&) = default;
 
-Result<Grid> Grid::with_step(std::string_view step) { return with_step_and_origin(step, {"0", "0", "0"}); }
+Result<Grid> Grid::with_step(std::string_view step) {
+  const auto s = positive_step(step);
+  if (!s) return s.error();
+  return Access::grid({s.value()});
+}
 
 Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<std::string, 3>& origin) {
-  grid::Lattice lattice;
-  const auto s = number(step, "grid step", "step");
+  const auto s = positive_step(step);
   if (!s) return s.error();
-  if (s.value() <= 0) return bad_number("the grid step \"" + std::string(step) + "\" is not positive", "step");
-  lattice.step = s.value();
 
+  grid::Lattice lattice{s.value()};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto o = number(origin[k], "grid origin", std::string("origin, ") + "xyz"[k]);
     if (!o) return o.error();

@@ -1,6 +1,7 @@
 #include "grid/grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -128,39 +129,52 @@ Rational model_coordinate(const Lattice& lattice, std::int32_t grid_coordinate, 
 
 namespace {
 
-/// The origin and the step over one denominator.
-exact::CommonFraction<4> over_common_denominator(const Lattice& lattice) {
-  const auto& o = lattice.origin;
-  if (std::all_of(o.begin(), o.end(), [](const Rational& x) { return x == 0; }))
-    return {{0, 0, 0, numerator(lattice.step)}, denominator(lattice.step)};
-  return exact::over_common_denominator(std::array{o[0], o[1], o[2], lattice.step});
+std::size_t lowest_bit(const Integer& n) { return lsb(n); }
+std::size_t lowest_bit(exact::int128 n) {
+  const auto low = static_cast<std::uint64_t>(n);
+  return static_cast<std::size_t>(low != 0 ? std::countr_zero(low)
+                                           : 64 + std::countr_zero(static_cast<std::uint64_t>(n >> 64)));
+}
+
+/// Of offsets, then a factor, over one denominator.
+template <class Number>
+std::optional<Affine> affine(const std::array<Number, 4>& scaled, const Number& common) {
+  const auto magnitude = [](const Number& n) -> Number { return n < 0 ? Number(-n) : n; };
+
+  // Twos move into the exponent.
+  auto twos = lowest_bit(scaled[3]);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (scaled[k] != 0) twos = std::min(twos, lowest_bit(magnitude(scaled[k])));
+  const auto below = lowest_bit(common);
+  const long exponent = static_cast<long>(twos) - static_cast<long>(below);
+  const Number limit = Number(1) << 53, d = common >> below, factor = scaled[3] >> twos;
+  if (exponent < -700 || exponent > 700 || d > limit || factor > limit) return std::nullopt;
+
+  Affine r{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Number m = magnitude(scaled[k]) >> twos;
+    if (m + (factor << 31) > limit) return std::nullopt;
+    r.offset[k] = static_cast<std::int64_t>(m) * (scaled[k] < 0 ? -1 : 1);
+  }
+  r.factor = static_cast<std::int64_t>(factor);
+  r.denominator = static_cast<std::int64_t>(d);
+  r.exponent = static_cast<int>(exponent);
+  return r;
 }
 
 }  // namespace
 
 std::optional<Affine> affine(const Lattice& lattice) {
   assert(lattice.step > 0);
-  const auto [scaled, common] = over_common_denominator(lattice);
+  const mpq_t& step = lattice.step.backend().data();
+  const bool at_zero =
+      std::all_of(lattice.origin.begin(), lattice.origin.end(), [](const Rational& x) { return x.is_zero(); });
+  if (at_zero && mpz_fits_slong_p(mpq_numref(step)) && mpz_fits_slong_p(mpq_denref(step)))
+    return affine<exact::int128>({0, 0, 0, mpz_get_si(mpq_numref(step))}, mpz_get_si(mpq_denref(step)));
 
-  // Twos move into the exponent.
-  auto twos = lsb(scaled[3]);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (scaled[k] != 0) twos = std::min(twos, lsb(abs(scaled[k])));
-  const auto below = lsb(common);
-  const long exponent = static_cast<long>(twos) - static_cast<long>(below);
-  const Integer limit = Integer(1) << 53, d = common >> below, factor = scaled[3] >> twos;
-  if (exponent < -700 || exponent > 700 || d > limit || factor > limit) return std::nullopt;
-
-  Affine r{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Integer &n = scaled[k], m = abs(n) >> twos;
-    if (m + (factor << 31) > limit) return std::nullopt;
-    r.offset[k] = static_cast<std::int64_t>(m) * (n < 0 ? -1 : 1);
-  }
-  r.factor = static_cast<std::int64_t>(factor);
-  r.denominator = static_cast<std::int64_t>(d);
-  r.exponent = static_cast<int>(exponent);
-  return r;
+  const auto [scaled, common] =
+      exact::over_common_denominator(std::array{lattice.origin[0], lattice.origin[1], lattice.origin[2], lattice.step});
+  return affine<Integer>(scaled, common);
 }
 
 Rounder::Rounder(const Lattice& lattice) : lattice_(lattice), affine_(affine(lattice)) {
