@@ -75,14 +75,12 @@ Place place_of_crossing(const exact::PlaneApproximation& plane, const std::array
   return {std::max(low, place - bound), std::min(high, place + bound)};
 }
 
-}  // namespace
-
 /// What the boundary of a face has on another plane, along an axis in which the line of both planes runs: what the face
 /// has there lies between.
-class ProperPairs::OnLine {
+class OnLine {
  public:
   OnLine(const Body& body, std::uint32_t f, const exact::Plane& plane, int axis)
-      : face(f), axis_(static_cast<std::size_t>(axis)) {
+      : axis_(static_cast<std::size_t>(axis)) {
     const Sides side(body, plane);
     body.for_corners(f, [&](std::uint32_t v) {
       if (side(v) == 0) add_corner(body, v);
@@ -97,7 +95,6 @@ class ProperPairs::OnLine {
   double low() const { return std::min(crossings.low, corners.low); }
   double high() const { return std::max(crossings.high, corners.high); }
 
-  const std::uint32_t face;
   Place crossings = nowhere, corners = nowhere;  // of edges that cross the plane; of corners on it
   std::array<std::uint32_t, 2> corner = {none, none};
   bool has_more_corners = false;
@@ -123,6 +120,22 @@ class ProperPairs::OnLine {
 
   const std::size_t axis_;
 };
+
+/// Does the first end before the second begins, or have they one corner or edge in common between?
+/// both_list(u), both_list(u, v): do both faces list that corner, that edge?
+template <class BothList>
+bool follow_each_other(const OnLine& first, const OnLine& second, BothList both_list) {
+  if (first.high() < second.low()) return true;
+
+  const auto [u, v] = first.corner;
+  if (u == none || first.has_more_corners || second.has_more_corners || !both_list(u)) return false;
+  if (v != none && !both_list(u, v)) return false;
+  // The second has these corners, and no others.
+  if ((second.corner[1] == none) != (v == none)) return false;
+  return first.crossings.high < first.corners.low && first.corners.high < second.crossings.low;
+}
+
+}  // namespace
 
 ProperPairs::ProperPairs(const Body& body) : body_(body) {
   for (auto f = static_cast<std::uint32_t>(body.triangles.size()); f < body.face_count(); ++f) {
@@ -191,20 +204,8 @@ bool ProperPairs::meet_on_line(std::uint32_t f, std::uint32_t g) const {
 
   const OnLine of_f(body_, f, q, axis), of_g(body_, g, p, axis);
   if (of_f.is_empty() || of_g.is_empty()) return true;
-  return follow_each_other(of_f, of_g) || follow_each_other(of_g, of_f);
-}
-
-/// Does the first end before the second begins, or have they one corner or edge in common between?
-bool ProperPairs::follow_each_other(const OnLine& first, const OnLine& second) const {
-  if (first.high() < second.low()) return true;
-
-  const auto [u, v] = first.corner;
-  const auto both_list = [&](auto... part) { return lists(first.face, part...) && lists(second.face, part...); };
-  if (u == none || first.has_more_corners || second.has_more_corners || !both_list(u)) return false;
-  if (v != none && !both_list(u, v)) return false;
-  // The second has these corners, and no others.
-  if ((second.corner[1] == none) != (v == none)) return false;
-  return first.crossings.high < first.corners.low && first.corners.high < second.crossings.low;
+  const auto both_list = [&](auto... part) { return lists(f, part...) && lists(g, part...); };
+  return follow_each_other(of_f, of_g, both_list) || follow_each_other(of_g, of_f, both_list);
 }
 
 }  // namespace quoin::booleans

@@ -21,14 +21,11 @@ class ProperPairs {
   bool proved(std::uint32_t f, std::uint32_t g) const;
 
  private:
-  class OnLine;
-
   bool is_small(std::uint32_t face) const;
   bool lists(std::uint32_t face, std::uint32_t v) const;
   bool lists(std::uint32_t face, std::uint32_t u, std::uint32_t v) const;
   bool meets_on_one_side(std::uint32_t f, std::uint32_t g) const;
   bool meet_on_line(std::uint32_t f, std::uint32_t g) const;
-  bool follow_each_other(const OnLine& first, const OnLine& second) const;
 
   const Body& body_;
   // Of faces that are not small, sorted.

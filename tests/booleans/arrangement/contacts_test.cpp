@@ -83,9 +83,10 @@ TEST(Contacts, EndsLieWhereTheyAreSaidTo) {
           ASSERT_TRUE(on_edge(v, d.touched.edges[at]));
           continue;
         }
-        for (const TouchedId t : Ids<TouchedId>(d.touched.faces.size()))
-          if (d.touched.faces[t].plane == s.plane && d.touched.faces[t].operand != s.other)
-            for (const BoundaryEdge& e : d.touched.edges_of(t)) ASSERT_TRUE(v != e.from && v != e.to);
+        for (const TouchedId t : Ids<TouchedId>(d.touched.faces.size())) {
+          if (d.touched.faces[t].plane != s.plane || d.touched.faces[t].operand == s.other) continue;
+          for (const BoundaryEdge& e : d.touched.edges_of(t)) ASSERT_TRUE(v != e.from && v != e.to);
+        }
       }
     }
   });
