@@ -159,6 +159,11 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
     for (std::size_t i = 0; i < s.size(); i += 2) sum += volume(Expression(s[i]) - s[i + 1]);
     return {"the sum of the parts", volume(result) == sum};
   }
+  if (w.operation == Operation::subtract_nested) {
+    Rational sum = 0;
+    for (std::size_t i = s.size(); i-- > 0;) sum = volume(s[i]) - sum;
+    return {"volumes of shells add up", volume(result) == sum};
+  }
   if (s.size() == 2) return law_of_two(w, s, result);
   const auto middle = s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2);
   if (w.operation == Operation::unite)

@@ -126,19 +126,22 @@ void Subtrees::for_corners(std::uint32_t i, Visit&& visit) const {
   for (const std::uint32_t v : body->corners_of(face)) visit(body->grid_points[v]);
 }
 
-/// visit(point) for grid corners of all faces; where a polygon has others, for those of its box.
+/// visit(point) for the corners of a face; where a polygon has others than grid points, for those of its box.
 template <class Visit>
-void Subtrees::for_points(const Node& node, Visit&& visit) const {
-  for (std::uint32_t i = node.begin; i < node.end; ++i) {
-    if (node.has_grid_corners || has_grid_corners(i)) {
-      for_corners(i, visit);
-      continue;
-    }
-    const Box box = tree_.box(i);
-    for (int corner = 0; corner < 8; ++corner)
-      visit(GridPoint{{corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1],
-                       corner & 4 ? box.high[2] : box.low[2]}});
-  }
+void Subtrees::for_points(std::uint32_t i, Visit&& visit) const {
+  if (has_grid_corners(i)) return for_corners(i, visit);
+  const Box box = tree_.box(i);
+  for (int corner = 0; corner < 8; ++corner)
+    visit(GridPoint{{corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1],
+                     corner & 4 ? box.high[2] : box.low[2]}});
+}
+
+/// The same, for faces at even distances.
+template <class Visit>
+void Subtrees::for_some_points(const Node& node, Visit&& visit) const {
+  constexpr std::uint32_t most = 32;
+  const std::uint32_t stride = (node.end - node.begin + most - 1) / most;
+  for (std::uint32_t i = node.begin; i < node.end; i += stride) for_points(i, visit);
 }
 
 Subtrees::Node& Subtrees::node(std::size_t level, std::uint32_t x) {
@@ -147,7 +150,7 @@ Subtrees::Node& Subtrees::node(std::size_t level, std::uint32_t x) {
   if (numbers.empty()) numbers.resize(((faces_.size() - 1) >> (3 * level)) + 1, none);
   if (numbers[x] == none) {
     numbers[x] = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({begin(level, x), end(level, x), false, {}, {}, {}, {}, {}});
+    nodes_.push_back({begin(level, x), end(level, x), {}, {}, {}, {}, {}});
     look_at(nodes_.back());
   }
   return nodes_[numbers[x]];
@@ -155,7 +158,7 @@ Subtrees::Node& Subtrees::node(std::size_t level, std::uint32_t x) {
 
 bool Subtrees::has_corner(std::uint32_t i, const GridPoint& p) const {
   bool found = false;
-  for_corners(i, [&](const GridPoint& q) { found = found || p == q; });
+  if (has_grid_corners(i)) for_corners(i, [&](const GridPoint& q) { found = found || p == q; });
   return found;
 }
 
@@ -178,15 +181,15 @@ void Subtrees::find_hubs(Node& node) const {
   std::sort(node.hubs.begin(), node.hubs.end());
 }
 
-/// The corner of most faces but the hub, if at least a quarter of them have it.
+/// The corner of most faces but the hub, if about a quarter of them have it.
 void Subtrees::find_second_corner(Node& node) const {
   std::vector<GridPoint> others;
-  for_points(node, [&](const GridPoint& p) {
+  for_some_points(node, [&](const GridPoint& p) {
     if (p != node.hubs[0]) others.push_back(p);
   });
   std::sort(others.begin(), others.end());
 
-  std::size_t most = (node.end - node.begin) / 4;
+  std::size_t most = others.size() / 8;  // of two others a face
   for (std::size_t i = 0, j = 0; i < others.size(); i = j) {
     while (j < others.size() && others[j] == others[i]) ++j;
     if (j - i > most) most = j - i, node.many = others[i];
@@ -194,9 +197,7 @@ void Subtrees::find_second_corner(Node& node) const {
 }
 
 void Subtrees::look_at(Node& node) const {
-  for (std::uint32_t i = node.begin; i < node.end; ++i)
-    if (!has_grid_corners(i)) return;
-  node.has_grid_corners = true;
+  if (!has_grid_corners(node.begin)) return;
   find_hubs(node);
   if (node.hubs.size() == 1) find_second_corner(node);
 
@@ -204,13 +205,14 @@ void Subtrees::look_at(Node& node) const {
   const exact::Plane plane = faces_[node.begin].body->sign_plane(faces_[node.begin].face);
   bool is_flat = true;
   for (std::uint32_t i = node.begin + 1; i < node.end && is_flat; ++i)
-    for_corners(i, [&](const GridPoint& p) { is_flat = is_flat && exact::side(plane, p) == 0; });
+    if (is_flat = has_grid_corners(i); is_flat)
+      for_corners(i, [&](const GridPoint& p) { is_flat = is_flat && exact::side(plane, p) == 0; });
   if (is_flat) node.plane = plane;
 }
 
 const Subtrees::OrientedBox& Subtrees::place(Node& node) const {
   if (!node.place)
-    node.place = around([&](auto&& visit) { for_points(node, [&](const GridPoint& p) { visit(doubles(p)); }); });
+    node.place = around([&](auto&& visit) { for_some_points(node, [&](const GridPoint& p) { visit(doubles(p)); }); });
   return *node.place;
 }
 
@@ -225,7 +227,7 @@ const Subtrees::OrientedBox& Subtrees::directions(Node& node, const GridPoint& h
   auto& box = node.directions[hub != node.hubs[0]];
   if (!box)
     box = around([&, also = second(node, hub)](auto&& visit) {
-      for_points(node, [&](const GridPoint& p) {
+      for_some_points(node, [&](const GridPoint& p) {
         if (p == hub || p == also) return;
         const Vector d = sum(doubles(p), doubles(hub), -1);
         visit(sum({}, d, 1 / std::sqrt(dot(d, d))));
@@ -244,9 +246,12 @@ bool Subtrees::on_one_plane(const Node& a, const Node& b) const {
 bool Subtrees::apart(const Node& a, const Node& b, const Cut& cut) const {
   const auto n = scaled(cut.normal, (1 << 30) - 1);
   std::int64_t low = INT64_MAX, high = INT64_MIN;
-  for_points(a, [&](const GridPoint& p) { low = std::min(low, value(n, p)); });
-  for_points(b, [&](const GridPoint& p) { high = std::max(high, value(n, p)); });
-  return high < low;
+  for (std::uint32_t i = a.begin, j = b.begin; i < a.end || j < b.end; ++i, ++j) {
+    if (i < a.end) for_points(i, [&](const GridPoint& p) { low = std::min(low, value(n, p)); });
+    if (j < b.end) for_points(j, [&](const GridPoint& p) { high = std::max(high, value(n, p)); });
+    if (high >= low) return false;
+  }
+  return true;
 }
 
 /// A plane through a common hub c, and through a second point that many faces have, separates what is seen from c.
@@ -273,11 +278,12 @@ bool Subtrees::in_common_parts(Node& a, Node& b, const GridPoint& c) const {
 
   const auto all_on = [&](const Node& node, int side) {
     bool good = true;
-    for_points(node, [&](const GridPoint& p) {
-      const auto d = from_corner(p);
-      const int128 along = int128{n[0]} * d[0] + int128{n[1]} * d[1] + int128{n[2]} * d[2];
-      good = good && (along == 0 ? p == c || p == also : (along > 0) == (side > 0));
-    });
+    for (std::uint32_t i = node.begin; i < node.end && good; ++i)
+      for_points(i, [&](const GridPoint& p) {
+        const auto d = from_corner(p);
+        const int128 along = int128{n[0]} * d[0] + int128{n[1]} * d[1] + int128{n[2]} * d[2];
+        good = good && (along == 0 ? p == c || p == also : (along > 0) == (side > 0));
+      });
     return good;
   };
   return all_on(a, 1) && all_on(b, -1);

@@ -22,8 +22,9 @@ enum class Relation {
 /// is below two nodes does not meet for that. A plane shows it that has the one's faces on its closed positive side and
 /// the other's on the negative one: where no corner lies on it no pair meets; where the corners on it are one point, or
 /// two, pairs meet in common corners and edges only. The plane is tried exactly in 64 or 128 bits; where to try it says
-/// a box around each node, oriented as its faces lie, in doubles: any plane is right, a good one separates.
-/// A node is looked at when it is first asked about, in time linear in its faces.
+/// a box around some of each node's faces, oriented as they lie, in doubles: any plane is right, a good one separates.
+/// Nodes are looked at when they are first asked about. What does not separate costs little, however many faces there
+/// are; what does costs time linear in them.
 class Subtrees {
  public:
   /// The faces in the tree's order. Both must outlive it. `are_foreign`: pairs that lie on one plane are of no
@@ -49,7 +50,7 @@ class Subtrees {
   };
   struct Node {
     std::uint32_t begin, end;
-    bool has_grid_corners;  // all faces have grid corners, few each: else there is nothing of what follows but `place`
+    // Only where all faces have grid corners, few each:
     std::vector<exact::GridPoint> hubs;    // one point or two, ascending: each face has one of them as a corner
     std::optional<exact::GridPoint> many;  // where there is one hub: another corner of many faces
     std::optional<exact::Plane> plane;     // of all faces
@@ -76,7 +77,9 @@ class Subtrees {
   template <class Visit>
   void for_corners(std::uint32_t i, Visit&& visit) const;
   template <class Visit>
-  void for_points(const Node& node, Visit&& visit) const;
+  void for_points(std::uint32_t i, Visit&& visit) const;
+  template <class Visit>
+  void for_some_points(const Node& node, Visit&& visit) const;
   const OrientedBox& place(Node& node) const;
   static std::optional<exact::GridPoint> second(const Node& node, const exact::GridPoint& hub);
   const OrientedBox& directions(Node& node, const exact::GridPoint& hub) const;

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <numbers>
 #include <regex>
 
 #include "tests/cli/support.h"
@@ -24,6 +26,44 @@ TEST_F(CliTest, InfoOfACube) {
   EXPECT_EQ(object["area_approx"], 6.0);
   EXPECT_EQ(object["box"], Json::parse("[[0,0,0],[1,1,1]]"));
   EXPECT_TRUE(object["step"].is_string());
+}
+
+/// An OFF file of a sphere of 1,104 points, each somewhere between 0.9 and 1.1 from the centre.
+std::string noisy_sphere(std::uint32_t seed) {
+  constexpr std::uint32_t lines = 23, around = 48, points = 2 + lines * around;
+  std::string vertices = "0 0 1\n0 0 -1\n", triangles;
+  const auto at = [](std::uint32_t line, std::uint32_t i) { return 2 + line * around + i % around; };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    triangles += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (std::uint32_t line = 0; line < lines; ++line)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      seed = seed * 1664525 + 1013904223;
+      const double radius = 0.9 + 0.2 * (seed >> 8) / (1u << 24);
+      const double down = std::numbers::pi * (line + 1) / (lines + 1), turn = 2 * std::numbers::pi * i / around;
+      for (const double x : {std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), std::cos(down)})
+        vertices += std::to_string(radius * x) + " ";
+      vertices += "\n";
+
+      if (line == 0) add(0, at(0, i), at(0, i + 1));
+      if (line + 1 == lines) {
+        add(1, at(line, i + 1), at(line, i));
+      } else {
+        add(at(line, i), at(line + 1, i), at(line + 1, i + 1));
+        add(at(line, i), at(line + 1, i + 1), at(line, i + 1));
+      }
+    }
+  return "OFF\n" + std::to_string(points) + " " + std::to_string(2 * lines * around) + " 0\n" + vertices + triangles;
+}
+
+TEST_F(CliTest, InfoSaysWhereTheExactVolumeIsLong) {
+  put("one.off", noisy_sphere(1));
+  put("two.off", noisy_sphere(2));
+  ASSERT_EQ(run({"union", "one.off", "two.off", "-o", "both.quoin"}).code, 0);
+  const Outcome text = run({"info", "both.quoin"}), json = run({"info", "both.quoin", "--json"});
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_TRUE(std::regex_search(text.out, std::regex("volume, exact +long, all digits with --json\n")));
+  EXPECT_GT(json.json()["volume"].get<std::string>().size(), 40000u);
 }
 
 TEST_F(CliTest, InfoOfTheEmptySolid) {
