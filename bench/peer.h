@@ -105,6 +105,11 @@ Solid combine_pairwise(const Task& task, std::vector<Solid>& solids, Op op) {
     for (std::size_t i = 0; i + 1 < solids.size(); i += 2) parts.push_back(op(solids[i], solids[i + 1], 'd'));
     return tree(std::move(parts), 'u');
   }
+  if (task.operation == "nested") {
+    Solid nested = std::move(solids.back());
+    for (std::size_t i = solids.size() - 1; i-- > 0;) nested = op(solids[i], nested, 'd');
+    return nested;
+  }
   Solid result = std::move(solids[0]);
   for (std::size_t i = 1; i < solids.size(); ++i)
     result = op(result, solids[i], task.operation == "unions" ? 'u' : 'd');

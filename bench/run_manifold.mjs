@@ -39,6 +39,8 @@ else if (operation === 'parts') {
   const parts = [];
   for (let i = 0; i + 1 < solids.length; i += 2) parts.push(solids[i].subtract(solids[i + 1]));
   result = Manifold.union(parts);
+} else if (operation === 'nested') {
+  result = solids.reduceRight((nested, solid) => solid.subtract(nested));
 } else {
   result = solids[0];
   for (const next of solids.slice(1)) {

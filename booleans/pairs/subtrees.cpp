@@ -173,8 +173,9 @@ void Subtrees::find_hubs(Node& node) const {
   });
   if (node.hubs.empty())
     for_corners(node.begin, [&](const GridPoint& p) {
-      if (!node.hubs.empty()) return;
-      for_corners(first_without(p, p), [&](const GridPoint& q) {
+      const std::uint32_t i = first_without(p, p);
+      if (!node.hubs.empty() || !has_grid_corners(i)) return;
+      for_corners(i, [&](const GridPoint& q) {
         if (node.hubs.empty() && first_without(p, q) == node.end) node.hubs = {p, q};
       });
     });
