@@ -83,7 +83,8 @@ int compare_lexicographic(const Point& u, const Point& v);
 /// (+1) of n_p x n_q. Degree 3.
 int turn(const Plane& p, const Plane& q, const Plane& r);
 
-/// Filter for the orientation of three points of which two coordinates are given, correctly rounded.
+/// The orientation of three points of which two coordinates are given, correctly rounded: +1 or -1, or 2 where the
+/// filter cannot tell.
 int projected_filter(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c);
 /// The determinant of the rows (x_i, x_j, w) of a, b, c with i = k + 1, j = k + 2 modulo 3: its sign is the orientation
 /// of the points projected along axis k (denominators are positive). Degree 11: at most 4 (4 L^4)^2 (4 L^3) = 256 L^11.

@@ -134,7 +134,7 @@ struct Batch {
   Array<Drawn> drawn;
   Array<Open> open;  // sheets that wait for the names of new points
 
-  /// Room for sheets of so many boundary edges and contact segments, of each of which one line of these cuts one face.
+  /// Room for sheets of so many boundary edges and contact segments, enough where each is one face, cut by one line.
   void reserve(std::size_t sheets, std::size_t edges, std::size_t segments) {
     const std::size_t elements = edges + segments + 2 * sheets;
     lists.elements.reserve(elements);

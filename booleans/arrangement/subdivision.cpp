@@ -86,7 +86,7 @@ const Drawing::Vertices& number_vertices(const std::vector<VertexId>& points, co
   auto& list = vertices.list;
   auto& slots = vertices.slots;
   const std::size_t most = points.size() + elements.half_edges();
-  const int bits = std::bit_width(most);
+  const int bits = std::bit_width(2 * most);
   slots.assign(std::size_t{1} << bits, none);
   list.resize(most);
   std::uint32_t n = 0;

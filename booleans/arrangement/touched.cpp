@@ -1,5 +1,6 @@
 #include "booleans/arrangement/touched.h"
 
+#include <functional>
 #include <unordered_map>
 
 #include "booleans/arrangement/spared_loops.h"
@@ -36,9 +37,14 @@ bool same_plane(const exact::Plane& p, const exact::Plane& q) { return p == q ||
 /// Collects the touched faces of one operand.
 class Collector {
  public:
-  /// `named`: the faces in pairs, own numbers in ascending order.
-  Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named)
-      : body_(operands[operand]), spared_(operands, operand, named), touched_of_(operands[operand].face_count(), none) {
+  /// `named`: the faces in pairs, own numbers in ascending order. `hubs`: points where faces may meet others that no
+  /// pair says so of, ascending.
+  Collector(const Operands& operands, OperandId operand, std::span<const std::uint32_t> named,
+            std::span<const exact::GridPoint> hubs)
+      : body_(operands[operand]),
+        hubs_(hubs),
+        spared_(operands, operand, named),
+        touched_of_(operands[operand].face_count(), none) {
     index(operands, operand, named);
     reserve(named.size());
 
@@ -153,7 +159,25 @@ class Collector {
           add_member(across);
       });
     }
+    if (!hubs_.empty()) add_hubs(first);
     end_region();
+  }
+
+  /// Corners of the members from `first` on that are hubs and lie inside the region become touching vertices.
+  void add_hubs(std::size_t first) {
+    const std::span boundary = std::span(part.edges).subspan(part.faces.back().edges_begin);
+    const auto is_inside = [&](std::uint32_t v) {
+      return std::none_of(boundary.begin(), boundary.end(), [&](const TouchedPart::Edge& e) { return e.from == v; });
+    };
+
+    const auto begin = static_cast<std::ptrdiff_t>(part.isolated.size());
+    for (std::size_t i = first; i < part.members.size(); ++i)
+      for (const std::uint32_t v : body_.triangles[part.members[i].face])
+        if (std::binary_search(hubs_.begin(), hubs_.end(), body_.grid_points[v])) part.isolated.push_back(v);
+    std::sort(part.isolated.begin() + begin, part.isolated.end());
+    part.isolated.erase(std::unique(part.isolated.begin() + begin, part.isolated.end()), part.isolated.end());
+    part.isolated.erase(std::remove_if(part.isolated.begin() + begin, part.isolated.end(), std::not_fn(is_inside)),
+                        part.isolated.end());
   }
 
   /// The only other face at an edge of triangle t, if it runs from v to u; else none.
@@ -226,8 +250,7 @@ class Collector {
       if (const auto known = crowded_.find(edge); known != crowded_.end()) return known->second;
 
     const EdgePlanes found = planes_at(e);
-    constexpr std::uint32_t many = 8;
-    if (found.faces > many) crowded_.emplace(edge, found);
+    if (found.faces > grid::thresholds().few_faces_at_edge) crowded_.emplace(edge, found);
     return found;
   }
 
@@ -236,8 +259,8 @@ class Collector {
     const exact::Plane own = part.planes[t.value];
     for (std::uint32_t i = part.faces[t].edges_begin; i < part.faces[t].edges_end; ++i) {
       TouchedPart::Edge& e = part.edges[i];
-      const auto [last, other, faces] = known_planes_at(e);
-      for (const std::uint32_t plane : {other, last})
+      const EdgePlanes planes = known_planes_at(e);
+      for (const std::uint32_t plane : {planes.other, planes.last})
         if (plane != none && !same_plane(part.planes[plane], own)) e.other = plane;
       if (e.other != none) continue;
       assert(body_.is_grid(e.from) && body_.is_grid(e.to));
@@ -251,6 +274,7 @@ class Collector {
   }
 
   const Body& body_;
+  const std::span<const exact::GridPoint> hubs_;
   const SparedLoops spared_;
   grid::Paged<TouchedId> touched_of_;                      // by own face
   std::unordered_map<std::uint64_t, EdgePlanes> crowded_;  // of edges of many faces
@@ -334,11 +358,15 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   out.adjacency.resize(n);
   names.operands.resize(n);
 
+  Array<exact::GridPoint> hubs = pairs.hubs;
+  std::sort(hubs.begin(), hubs.end());
+  hubs.erase(std::unique(hubs.begin(), hubs.end()), hubs.end());
+
   ById<OperandId, TouchedPart> parts(n);
   grid::in_tasks(n, operands.face_count(), [&](std::size_t i) {
     const OperandId o = static_cast<std::uint32_t>(i);
     if (named[o].empty()) return;
-    Collector collector(operands, o, named[o]);
+    Collector collector(operands, o, named[o], hubs);
     parts[o] = std::move(collector.part);
     out.adjacency[o] = std::move(collector.adjacency);
   });

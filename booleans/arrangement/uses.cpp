@@ -32,7 +32,7 @@ struct PatchUse {
       : low(std::min(from, to)), use(Use::of_patch(std::max(from, to), patches.of[face], from < to, face)) {}
 };
 
-/// Sorts the uses with one low end, which are few.
+/// Sorts the uses with one low end, mostly few.
 void sort(std::span<Use> uses) {
   if (uses.size() > static_cast<std::size_t>(grid::thresholds().few_sorted)) return std::sort(uses.begin(), uses.end());
   for (std::size_t i = 1; i < uses.size(); ++i) {

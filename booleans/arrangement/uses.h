@@ -25,7 +25,7 @@ class Use {
   /// It lies left of low -> high, seen from its node's front.
   bool left() const { return (key_ & 1) != 0; }
   bool is_facet() const { return element_ != none; }
-  /// Preconditions: is_facet().
+  /// Precondition of both: is_facet().
   ElementId element() const { return element_; }
   PlaneId plane() const { return of_; }
   /// The untouched face. Precondition: !is_facet().

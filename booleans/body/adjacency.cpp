@@ -43,6 +43,7 @@ void Adjacency::index(std::span<const Chunk> where) {
     return;
   }
 
+  if (body_.polygons.corners.empty()) return;
   Array<std::uint32_t> start(body_.vertex_count() + 2);
   grid::counting_sort(std::span(start), for_edges, [&](std::size_t n) {
     edges_.resize(n);

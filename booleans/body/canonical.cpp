@@ -457,7 +457,8 @@ CanonicalCounts canonical_counts(const Body& body) {
   });
   r.faces = static_cast<std::size_t>(std::count(has_boundary.begin(), has_boundary.end(), 1));
   // Two edges become one at a vertex that is not needed.
-  for (std::size_t v = 0; v < needed.size(); ++v) r.edges -= has_edge[v] && !needed[v];
+  for (std::size_t v = 0; v < needed.size(); ++v)
+    if (has_edge[v] && !needed[v] && r.edges > 0) --r.edges;
   return r;
 }
 

@@ -115,8 +115,8 @@ struct Enclosure {
 ///
 /// With e = 2^-fraction_bits and coordinates of at most 2^29 the cross product of an edge is off by less than
 /// 4 2^29 e + 2 e^2. The polygon's plane has a point of the world, and no component of its normal is longer than n_k,
-/// so |d / n_k| <= 3 2^29, and the edge's volume is off by less than 2^60 e: twice as much as that, quotients being cut
-/// off, too.
+/// so |d / n_k| <= 3 2^29, and the edge's volume is off by less than (2^31 e) (3 2^29) / 6 = 2^59 e; 2^60 e leaves room
+/// for the quotients that are cut off.
 Enclosure polygon_volume(const Body& body) {
   std::array<Array<Fixed>, 3> place;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -27,7 +27,11 @@ struct OwnFace {
 
 /// Two faces, smaller id first.
 using FacePair = std::array<FaceId, 2>;
-using FacePairs = Array<FacePair>;
+/// Pairs, and points that faces of pairs that were passed over have in common.
+struct FacePairs : Array<FacePair> {
+  using Array<FacePair>::Array;
+  Array<exact::GridPoint> hubs = {};
+};
 
 /// The bodies that an operation combines. They must outlive it.
 struct Operands {

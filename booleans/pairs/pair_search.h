@@ -10,11 +10,12 @@ namespace quoin::booleans {
 /// What a search without neighbours skips.
 inline constexpr auto skip_nothing = [](std::uint32_t, std::uint32_t) { return 0u; };
 
-/// Faces that meet in common corners and edges only: no pairs; or, as those that lie on one plane, each with one of the
-/// pairs that it is in, of different groups.
+/// What comes of faces below two nodes that meet in common corners and edges only: no pairs; or, as of those that lie
+/// on one plane, one pair each, with a face of another group.
 enum class InParts { passed, one_each };
 
-/// Finds the pairs that a test accepts, smaller id first, in an order that depends on the tree alone.
+/// Finds the pairs that a test accepts, smaller id first, in an order that depends on the tree alone; then come those
+/// that stand for what is passed over.
 /// skip(i, block): which faces of the block are not wanted with the i-th face; bits.
 /// wanted(i, j): whether these two faces are; only pairs whose boxes meet are asked for.
 template <class Skip, class Wanted>
@@ -37,6 +38,8 @@ class PairSearch {
       if (waiting_.size() == most) test(pairs);
     });
     test(pairs);
+    found_.insert(found_.end(), standing_.begin(), standing_.end());
+    if (in_parts_ == InParts::one_each) found_.hubs = subtrees_.hubs();
     return std::move(found_);
   }
 
@@ -77,31 +80,40 @@ class PairSearch {
   bool passed(std::size_t level, std::uint32_t x, std::uint32_t y) {
     const Relation relation = subtrees_.relation(level, x, y);
     if (relation == Relation::in_parts && in_parts_ == InParts::one_each) {
-      name_each(level, x, x, y);
-      name_each(level, y, x, y);
+      const std::uint32_t i = subtrees_.begin(level, x), j = other_group(i, level, x, y);
+      name_each(level, x, y, {i, j});
+      name_each(level, y, x, {i, j});
     }
     return relation != Relation::unknown;
   }
-  /// Each face below a node that may meet one of another group below x or y in a pair with such a one.
-  void name_each(std::size_t level, std::uint32_t node, std::uint32_t x, std::uint32_t y) {
+  /// The first face below y or x of another group than i's. There is one.
+  std::uint32_t other_group(std::uint32_t i, std::size_t level, std::uint32_t x, std::uint32_t y) const {
+    for (const std::uint32_t n : {y, x})
+      for (std::uint32_t j = subtrees_.begin(level, n); j < subtrees_.end(level, n); ++j)
+        if (tree_.group(j) != tree_.group(i)) return j;
+    assert(false);
+    return i;
+  }
+  /// Each face below a node in a pair with one below the other one whose box meets its own, if that is soon found, else
+  /// with one of two given faces of different groups.
+  void name_each(std::size_t level, std::uint32_t node, std::uint32_t other, std::array<std::uint32_t, 2> given) {
     named_.resize(faces_.size());
     for (std::uint32_t i = subtrees_.begin(level, node); i < subtrees_.end(level, node); ++i) {
-      const std::uint32_t j = named_[i] ? i : partner(i, level, x, y);
-      if (j == i) continue;
+      if (named_[i]) continue;
+      std::uint32_t j = near_partner(i, level, other);
+      if (j == none) j = tree_.group(given[0]) != tree_.group(i) ? given[0] : given[1];
       named_[i] = named_[j] = 1;
       const std::uint32_t a = tree_.ids()[i], b = tree_.ids()[j];
-      found_.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
+      standing_.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
     }
   }
-  /// A face of another group below x or y whose box meets that of i; any, if many do not; i, if there is none.
-  std::uint32_t partner(std::uint32_t i, std::size_t level, std::uint32_t x, std::uint32_t y) const {
-    constexpr int many = 64;
+  std::uint32_t near_partner(std::uint32_t i, std::size_t level, std::uint32_t node) const {
+    constexpr std::uint32_t tried = 64;
     const Box box = tree_.box(i);
-    int tried = 0;
-    for (const std::uint32_t n : {x, y})
-      for (std::uint32_t j = subtrees_.begin(level, n); j < subtrees_.end(level, n); ++j)
-        if (tree_.group(j) != tree_.group(i) && (box.meets(tree_.box(j)) || ++tried == many)) return j;
-    return i;
+    const std::uint32_t begin = subtrees_.begin(level, node), end = std::min(subtrees_.end(level, node), begin + tried);
+    for (std::uint32_t j = begin; j < end; ++j)
+      if (tree_.group(j) != tree_.group(i) && box.meets(tree_.box(j))) return j;
+    return none;
   }
 
   LanePairs skipped(const BlockPair& p) const {
@@ -132,7 +144,7 @@ class PairSearch {
   const Skip skip_;
   const Wanted wanted_;
   Array<BlockPair> waiting_;
-  FacePairs found_;
+  FacePairs found_, standing_;
   Array<std::uint8_t> named_;  // by place in the tree: it has a pair that stands for those passed over
 };
 

@@ -169,7 +169,8 @@ void Subtrees::find_hubs(Node& node) const {
     return i;
   };
   for_corners(node.begin, [&](const GridPoint& p) {
-    if (node.hubs.size() < 2 && first_without(p, p) == node.end) node.hubs.push_back(p);
+    const bool is_new = std::find(node.hubs.begin(), node.hubs.end(), p) == node.hubs.end();
+    if (is_new && node.hubs.size() < 2 && first_without(p, p) == node.end) node.hubs.push_back(p);
   });
   if (node.hubs.empty())
     for_corners(node.begin, [&](const GridPoint& p) {
@@ -257,11 +258,13 @@ bool Subtrees::apart(const Node& a, const Node& b, const Cut& cut) const {
 
 /// A plane through a common hub c, and through a second point that many faces have, separates what is seen from c.
 /// Components of its normal are below 2^61, differences of points below 2^31.
-bool Subtrees::in_common_parts(Node& a, Node& b, const GridPoint& c) const {
+bool Subtrees::in_common_parts(Node& a, Node& b, const GridPoint& c) {
   const std::optional<Cut> cut = cut_between(directions(a, c), directions(b, c));
   if (!cut) return false;
   const Vector middle = sum(directions(a, c).centre, directions(b, c).centre);
-  const Vector normal = sum(cut->normal, middle, -2 * cut->offset / dot(middle, middle));
+  constexpr double opposite = 1e-3;  // what is seen lies on both sides of the hub
+  const double length = dot(middle, middle);
+  const Vector normal = length < opposite ? cut->normal : sum(cut->normal, middle, -2 * cut->offset / length);
 
   const auto from_corner = [&](const GridPoint& p) {
     return std::array{std::int64_t{p[0]} - c[0], std::int64_t{p[1]} - c[1], std::int64_t{p[2]} - c[2]};
@@ -279,15 +282,22 @@ bool Subtrees::in_common_parts(Node& a, Node& b, const GridPoint& c) const {
 
   const auto all_on = [&](const Node& node, int side) {
     bool good = true;
-    for (std::uint32_t i = node.begin; i < node.end && good; ++i)
+    for (std::uint32_t i = node.begin; i < node.end && good; ++i) {
+      int on_plane = 0;
       for_points(i, [&](const GridPoint& p) {
         const auto d = from_corner(p);
         const int128 along = int128{n[0]} * d[0] + int128{n[1]} * d[1] + int128{n[2]} * d[2];
         good = good && (along == 0 ? p == c || p == also : (along > 0) == (side > 0));
+        on_plane += along == 0;
       });
+      good = good && (on_plane < 2 || !faces_[i].is_raw());
+    }
     return good;
   };
-  return all_on(a, 1) && all_on(b, -1);
+  if (!all_on(a, 1) || !all_on(b, -1)) return false;
+  hubs_.push_back(c);
+  if (also) hubs_.push_back(*also);
+  return true;
 }
 
 Relation Subtrees::relation(std::size_t level, std::uint32_t x, std::uint32_t y) {

@@ -21,10 +21,11 @@ enum class Relation {
 /// The boxes of long thin faces, and of all that has a corner in one place, overlap by the square of their number; what
 /// is below two nodes does not meet for that. A plane shows it that has the one's faces on its closed positive side and
 /// the other's on the negative one: where no corner lies on it no pair meets; where the corners on it are one point, or
-/// two, pairs meet in common corners and edges only. The plane is tried exactly in 64 or 128 bits; where to try it says
-/// a box around some of each node's faces, oriented as they lie, in doubles: any plane is right, a good one separates.
-/// Nodes are looked at when they are first asked about. What does not separate costs little, however many faces there
-/// are; what does costs time linear in them.
+/// two, pairs meet in common corners and edges only. (Not if a raw triangle has an edge on it: that may be a diagonal
+/// of a flat region, which nobody draws.) The plane is tried exactly in 64 or 128 bits; where to try it says a box
+/// around some of each node's faces, oriented as they lie, in doubles: any plane is right, a good one separates. Nodes
+/// are looked at when they are first asked about. What does not separate costs little, however many faces there are;
+/// what does costs time linear in them.
 class Subtrees {
  public:
   /// The faces in the tree's order. Both must outlive it. `are_foreign`: pairs that lie on one plane are of no
@@ -34,6 +35,8 @@ class Subtrees {
 
   /// Precondition: different nodes of that level.
   Relation relation(std::size_t level, std::uint32_t x, std::uint32_t y);
+  /// The points that faces have in common of which that was said, not distinct.
+  const Array<exact::GridPoint>& hubs() const { return hubs_; }
 
   /// The items below a node.
   std::uint32_t begin(std::size_t level, std::uint32_t x) const { return x << (3 * level); }
@@ -86,13 +89,14 @@ class Subtrees {
 
   bool on_one_plane(const Node& a, const Node& b) const;
   bool apart(const Node& a, const Node& b, const Cut& cut) const;
-  bool in_common_parts(Node& a, Node& b, const exact::GridPoint& hub) const;
+  bool in_common_parts(Node& a, Node& b, const exact::GridPoint& hub);
 
   const Array<SearchedFace>& faces_;
   const BoxTree& tree_;
   const bool are_foreign_;
   Array<Array<std::uint32_t>> number_;  // by level and node: into nodes_, none before it is looked at
   std::deque<Node> nodes_;
+  Array<exact::GridPoint> hubs_;
 };
 
 }  // namespace quoin::booleans

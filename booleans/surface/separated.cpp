@@ -23,13 +23,16 @@ namespace {
 /// `next` holds where the triangle that begins at a neighbour ends, of two that begin there one. The walk comes back to
 /// its start after as many steps as there are triangles, not earlier, exactly when it has met all of them.
 bool is_one_fan_of_closed(std::span<const Spoke> star, Array<std::uint32_t>& next) {
+  if (star.empty()) return true;
   for (const Spoke& s : star) next[s.a] = s.b;
   std::uint32_t at = star[0].a;
-  for (std::size_t steps = 1; steps <= star.size(); ++steps) {
+  std::size_t steps = 0;
+  do {
     at = next[at];
-    if (at == star[0].a) return steps == star.size();
-  }
-  return false;
+    ++steps;
+  } while (at != none && at != star[0].a && steps <= star.size());
+  for (const Spoke& s : star) next[s.a] = none;  // where a mesh is not closed, no other star's steps are taken
+  return at == star[0].a && steps == star.size();
 }
 
 /// By vertex: do its triangles form several fans? Empty when those of no vertex do.
@@ -38,7 +41,7 @@ Array<std::uint8_t> with_several_fans(const Triangulated& mesh) {
   std::atomic<bool> any = false;
   grid::in_shares(several.size(), [&](std::size_t begin, std::size_t end) {
     const grid::Buckets<Spoke> spokes_of = spokes(mesh.corners, begin, end, [](std::uint32_t) { return true; });
-    Array<std::uint32_t> next(several.size());
+    Array<std::uint32_t> next(several.size(), none);
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
       if (!is_one_fan_of_closed(spokes_of[v - begin], next)) several[v] = any = true;
   });

@@ -62,14 +62,16 @@ struct Thresholds {
   std::size_t subtree = 16;
   /// Nodes of a tree of boxes with more pairs of parts than this whose boxes meet are compared as a whole first.
   int crowded_nodes = 32;
+  /// Edges of more faces than this are looked at once for all of them.
+  std::uint32_t few_faces_at_edge = 8;
 
   static constexpr Thresholds smallest() {
-    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0};
+    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0, 0};
   }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
     return {all, all, all, all, all, 64,  64,  all, all, all,     24, all,
-            all, all, all, all, all, all, all, 64,  all, 1 << 12, all, 64};
+            all, all, all, all, all, all, all, 64,  all, 1 << 12, all, 64, all};
   }
   /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
   static constexpr Thresholds patched() {

@@ -42,7 +42,7 @@ struct Info {
   std::uint64_t shells = 0;
   std::int64_t genus = 0;
   bool closed = true, manifold = true, bounded = true;
-  /// Exact, "p/q" in cubic model units; empty when unbounded, or not asked for.
+  /// Exact, "p/q" in cubic model units; empty when unbounded, not asked for, or long (Volume::exact_if_short).
   std::string volume;
   double volume_approx = 0;  // correctly rounded
   double area_approx = 0;

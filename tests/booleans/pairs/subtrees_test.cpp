@@ -96,52 +96,116 @@ TEST(Subtrees, RelationsHoldForAllPairs) {
   EXPECT_GT(said[Relation::unknown], 50 * case_count(60));
 }
 
-/// n thin wedges around the z axis between them, in two bodies in turn: they meet in one edge.
-std::array<Body, 2> wedges(std::uint32_t n) {
+/// n thin tetrahedra from the origin to the unit square of (1, x, y), in two bodies in turn: they meet in one corner.
+std::array<Body, 2> tetrahedra_at_one_corner(std::uint32_t n) {
   std::array<Body, 2> two;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const auto on_circle = [&](std::uint32_t half_step, std::int32_t z) {
-      const double angle = std::numbers::pi * half_step / n;
-      return GridPoint{{static_cast<std::int32_t>(std::lround(1e6 * std::cos(angle))),
-                        static_cast<std::int32_t>(std::lround(1e6 * std::sin(angle))), z}};
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const auto at = [&](std::int32_t dx, std::int32_t dy) {
+      const auto x = static_cast<std::int32_t>(1000 * (i % n)), y = static_cast<std::int32_t>(1000 * (i / n));
+      return GridPoint{{1000000, x + dx, y + dy}};
     };
     Body& body = two[i % 2];
     const auto first = static_cast<std::uint32_t>(body.grid_points.size());
-    for (const std::int32_t z : {0, 1000000})
-      for (const GridPoint& p : {GridPoint{{0, 0, z}}, on_circle(2 * i, z), on_circle(2 * i + 1, z)})
-        body.grid_points.push_back(p);
-    for (const Triangle& t :
-         {Triangle{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}})
+    for (const GridPoint& p : {GridPoint{}, at(0, 0), at(500, 0), at(0, 500)}) body.grid_points.push_back(p);
+    for (const Triangle& t : {Triangle{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}})
       body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
   return two;
 }
 
-/// All faces at the edge have a pair. How many pairs there are.
-std::size_t count_pairs_at_one_edge(std::uint32_t n) {
-  const auto [a, b] = wedges(n);
+/// All faces at the corner have a pair. How many pairs there are.
+std::size_t count_pairs_at_one_corner(std::uint32_t n) {
+  const auto [a, b] = tetrahedra_at_one_corner(n);
   const Operands operands({&a, &b});
   const FacePairs pairs = foreign_pairs(operands);
 
   std::set<std::uint32_t> named;
   for (const FacePair& p : pairs) named.insert({p[0].value, p[1].value});
-  std::size_t at_edge = 0;
+  std::size_t at_corner = 0;
   for (std::uint32_t f = 0; f < operands.face_count(); ++f) {
     const OwnFace own = operands.own(FaceId(f));
     const GridTriangle t = triangle(operands[own.operand], own.face);
-    if (std::none_of(t.begin(), t.end(), [](const GridPoint& p) { return p[0] == 0 && p[1] == 0; })) continue;
-    ++at_edge;
+    if (std::none_of(t.begin(), t.end(), [](const GridPoint& p) { return p == GridPoint{}; })) continue;
+    ++at_corner;
     EXPECT_TRUE(named.contains(f));
   }
-  EXPECT_EQ(at_edge, 6u * n);
+  EXPECT_EQ(at_corner, 3u * n * n);
   return pairs.size();
 }
 
-// Each face meets each at the edge; the number of pairs grows as that of faces does, not as its square.
-TEST(Subtrees, FacesAtOneEdgeAreFewPairs) {
+// Each face meets each in the corner; the number of pairs grows as that of faces does, not as its square.
+TEST(Subtrees, FacesAtOneCornerAreFewPairs) {
   const WithThresholds set(grid::Thresholds{});
-  const std::size_t few = count_pairs_at_one_edge(512), more = count_pairs_at_one_edge(4096);
-  EXPECT_LT(more, 16 * few);
+  const std::size_t few = count_pairs_at_one_corner(16), more = count_pairs_at_one_corner(48);
+  EXPECT_LT(more, 18 * few);  // of 9 times as many faces
+}
+
+/// A prism under z = 0 over a polygon of n corners, its caps fans from their middle; one in `holes` of the triangles of
+/// the upper one reaches down to a point of its own.
+Body fan_prism(Random& random, std::uint32_t n, std::uint64_t holes, const std::vector<Vector>& rim) {
+  std::vector<Vector> points{{0, 0, 0}, {0, 0, -1000}};
+  std::vector<Triangle> triangles;
+  for (const Vector& p : rim)
+    for (const std::int64_t z : {0, -1000}) points.push_back({p[0], p[1], z});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n, a = 2 + 2 * i, b = 2 + 2 * j;
+    for (const Triangle& t : {Triangle{1, b + 1, a + 1}, {a, a + 1, b + 1}, {a, b + 1, b}}) triangles.push_back(t);
+    if (!random.one_in(holes)) {
+      triangles.push_back({0, a, b});
+      continue;
+    }
+    const auto deep = static_cast<std::uint32_t>(points.size());
+    points.push_back({(rim[i][0] + rim[j][0]) / 4, (rim[i][1] + rim[j][1]) / 4, -300});
+    for (const Triangle& t : {Triangle{0, a, deep}, {a, b, deep}, {b, 0, deep}}) triangles.push_back(t);
+  }
+  return *mesh(points, triangles);
+}
+
+/// Tetrahedra over z = 0 from the origin, along edges of the fan or into its triangles, in some number of meshes.
+std::vector<Body> tetrahedra_on(Random& random, const std::vector<Vector>& rim) {
+  std::vector<std::vector<Vector>> points(1 + random.below(3));
+  std::vector<std::vector<Triangle>> triangles(points.size());
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    if (random.one_in(3)) continue;
+    const std::size_t k = random.below(points.size());
+    const Vector &p = rim[i], &next = rim[(i + 1) % rim.size()];
+    const Vector aside{(3 * p[0] + next[0]) / 5, (3 * p[1] + next[1]) / 5, 0};
+    const Vector end = random.one_in(3) ? Vector{p[0], p[1], 400} : random.one_in(2) ? aside : p;
+    const Vector left{p[0], p[1], 500}, right{aside[0] / 2, aside[1] / 2, 700};
+    const auto first = static_cast<std::uint32_t>(points[k].size());
+    for (const Vector& q : {Vector{0, 0, 0}, end, left, right}) points[k].push_back(q);
+    const bool turned = determinant(end, left, right) > 0;
+    for (const Triangle& t : {Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+      triangles[k].push_back({first + t[0], first + t[turned ? 2 : 1], first + t[turned ? 1 : 2]});
+  }
+  std::vector<Body> bodies;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (auto body = mesh(points[k], triangles[k])) bodies.push_back(*body);
+  return bodies;
+}
+
+// Solids that stand on a flat fan, on its hub and its inner edges: with what is passed over as without.
+TEST(Subtrees, WhatStandsOnFlatFans) {
+  for (std::uint64_t number = 0; number < case_count(40); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xFA9, number);
+    const auto n = static_cast<std::uint32_t>(8 + random.below(60));
+    std::vector<Vector> rim;
+    for (std::uint32_t i = 0; i < n; ++i)
+      rim.push_back({std::llround(100000 * std::cos(2 * std::numbers::pi * i / n)),
+                     std::llround(100000 * std::sin(2 * std::numbers::pi * i / n)), 0});
+    std::vector<Body> solids = tetrahedra_on(random, rim);
+    solids.insert(solids.begin(), fan_prism(random, n, random.one_in(2) ? 1000000 : 3, rim));
+
+    const auto result = [&](int crowded) {
+      grid::Thresholds t = grid::thresholds();
+      t.crowded_nodes = t.crowded_blocks = crowded;
+      const WithThresholds set(t);
+      const Expression any = Expression::flat(Rule::any, static_cast<std::uint32_t>(solids.size()));
+      return evaluated(solids, any);
+    };
+    EXPECT_TRUE(same(result(0), result(64)));
+  }
 }
 
 }  // namespace
