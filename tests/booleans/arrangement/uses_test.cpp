@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "tests/booleans/stages.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::booleans::testing {
 namespace {
@@ -90,15 +91,20 @@ TEST(Use, SaysWhatItIs) {
 TEST(Uses, AFaceThatHangsAtTwoTouchedOnesIsThereOnce) {
   const std::vector<Body> bodies{packed(any(box({0, 0, 0}, {4, 4, 4}), box({4, 4, 0}, {8, 8, 4}))),
                                  box({3, 1, 1}, {5, 3, 3}), box({3, 5, 1}, {5, 7, 3})};
-  const Arrangement a = arranged(bodies);
-  std::size_t patches = 0;
-  a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      patches += !uses[i].is_facet();
-      EXPECT_TRUE(i == 0 || uses[i] != uses[i - 1]);
-    }
-  });
-  EXPECT_EQ(a.touched.untouched.size(), patches + 2);
+  for (const std::uint32_t few_faces : {8u, 0u}) {
+    grid::Thresholds t = grid::thresholds();
+    t.few_faces_at_edge = few_faces;
+    const grid::testing::WithThresholds set(t);
+    const Arrangement a = arranged(bodies);
+    std::size_t patches = 0;
+    a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
+      for (std::size_t i = 0; i < uses.size(); ++i) {
+        patches += !uses[i].is_facet();
+        EXPECT_TRUE(i == 0 || uses[i] != uses[i - 1]);
+      }
+    });
+    EXPECT_EQ(a.touched.untouched.size(), patches + (few_faces == 8 ? 2 : 0));  // an edge is looked at once, or by each
+  }
 }
 
 // Edges come by their ends, each once.
