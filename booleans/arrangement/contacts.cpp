@@ -3,22 +3,11 @@
 #include <deque>
 
 #include "booleans/arrangement/line_trace.h"
+#include "booleans/pairs/directions.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
 namespace {
-
-/// An axis in which the line of two planes runs, preferably the steepest; -1 for parallel planes.
-int axis_of_line(const exact::Plane& p, const exact::Plane& q) {
-  const auto a = exact::approximation(p).n, b = exact::approximation(q).n;
-  std::array<double, 3> c{};
-  for (std::size_t k = 0; k < 3; ++k) c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  const int best = static_cast<int>(exact::longest_component(c));
-
-  for (int k = 0; k < 3; ++k)
-    if (exact::cross_sign(p, q, (best + k) % 3) != 0) return (best + k) % 3;
-  return -1;
-}
 
 /// The faces of clean operands that coincide with a face of another one, edge by edge. What meets such a face of the
 /// other's own faces meets it in common edges and vertices, which are drawn with either: it makes no contacts.

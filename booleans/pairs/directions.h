@@ -46,6 +46,15 @@ inline bool strictly_on_one_side(const exact::Plane& plane, const Box& box) {
   return exact::side(plane, lowest) > 0 || exact::side(plane, highest) < 0;
 }
 
+/// An axis in which the line of two planes runs, preferably the steepest; -1 for parallel planes.
+inline int axis_of_line(const exact::Plane& p, const exact::Plane& q) {
+  const int best =
+      static_cast<int>(exact::longest_component(cross(exact::approximation(p).n, exact::approximation(q).n)));
+  for (int k = 0; k < 3; ++k)
+    if (exact::cross_sign(p, q, (best + k) % 3) != 0) return (best + k) % 3;
+  return -1;
+}
+
 /// In the direction of d, components at most `size`.
 inline std::array<std::int64_t, 3> scaled(const std::array<double, 3>& d, int size) {
   const double longest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});

@@ -103,8 +103,7 @@ class PairSearch {
       std::uint32_t j = near_partner(i, level, other);
       if (j == none) j = tree_.group(given[0]) != tree_.group(i) ? given[0] : given[1];
       named_[i] = named_[j] = 1;
-      const std::uint32_t a = tree_.ids()[i], b = tree_.ids()[j];
-      standing_.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
+      standing_.push_back(pair_of(i, j));
     }
   }
   std::uint32_t near_partner(std::uint32_t i, std::size_t level, std::uint32_t node) const {
@@ -131,9 +130,13 @@ class PairSearch {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       const std::uint32_t i = p.x * BoxBlock::width + lane / BoxBlock::width,
                           j = p.y * BoxBlock::width + lane % BoxBlock::width;
-      const std::uint32_t a = tree_.ids()[i], b = tree_.ids()[j];
-      if (wanted_(i, j)) found.push_back({FaceId(std::min(a, b)), FaceId(std::max(a, b))});
+      if (wanted_(i, j)) found.push_back(pair_of(i, j));
     }
+  }
+  /// Of the faces in those places of the tree.
+  FacePair pair_of(std::uint32_t i, std::uint32_t j) const {
+    const auto [a, b] = std::minmax(tree_.ids()[i], tree_.ids()[j]);
+    return {FaceId(a), FaceId(b)};
   }
 
   const Array<SearchedFace>& faces_;

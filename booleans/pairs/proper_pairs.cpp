@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "booleans/pairs/directions.h"
 #include "exact/predicates.h"
 #include "grid/lists/thresholds.h"
 
@@ -30,15 +31,6 @@ class Sides {
   const exact::Plane& plane_;
   const exact::PlaneApproximation approximation_;
 };
-
-/// An axis in which the line of two planes runs; -1 where none is found.
-int axis_of_line(const exact::Plane& p, const exact::Plane& q) {
-  const auto a = exact::approximation(p).n, b = exact::approximation(q).n;
-  std::array<double, 3> c{};
-  for (std::size_t k = 0; k < 3; ++k) c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  const int axis = static_cast<int>(exact::longest_component(c));
-  return exact::cross_sign(p, q, axis) != 0 ? axis : -1;
-}
 
 /// Bounds of a coordinate, correctly rounded: where those of two points differ, the points' order is theirs.
 struct Place {
