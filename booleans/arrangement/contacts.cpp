@@ -4,6 +4,7 @@
 
 #include "booleans/arrangement/line_trace.h"
 #include "booleans/pairs/directions.h"
+#include "grid/lists/buckets.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -242,12 +243,28 @@ void add_contacts(const Worker& worker, VertexTable& vertices, Contacts& all) {
 Array<TouchedPair> touched_pairs(const Touched& touched, const FacePairs& pairs) {
   Array<TouchedPair> found;
   found.reserve(pairs.size());
-  for (const FacePair& p : pairs) {
-    const TouchedId f = touched.touched_of[p[0]], g = touched.touched_of[p[1]];
-    if (f != g) found.push_back({std::min(f, g), std::max(f, g)});
+  const auto visit_all = [&](auto&& visit) {
+    for (const FacePair& p : pairs) {
+      const TouchedId f = touched.touched_of[p[0]], g = touched.touched_of[p[1]];
+      if (f != g) visit(std::min(f, g), std::max(f, g));
+    }
+  };
+
+  if (pairs.size() < grid::thresholds().few_keys) {
+    visit_all([&](TouchedId f, TouchedId g) { found.push_back({f, g}); });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+
+  grid::Buckets<TouchedId> others(
+      touched.faces.size(), [&](auto&& visit) { visit_all([&](TouchedId f, TouchedId g) { visit(f.value, g); }); });
+  for (const TouchedId f : Ids<TouchedId>(touched.faces.size())) {
+    const std::span<TouchedId> list = others[f.value];
+    std::sort(list.begin(), list.end());
+    const auto end = std::unique(list.begin(), list.end());
+    for (auto g = list.begin(); g != end; ++g) found.push_back({f, *g});
+  }
   return found;
 }
 

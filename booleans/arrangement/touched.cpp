@@ -322,17 +322,22 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
   }
 }
 
-/// By operand, ascending: the faces that the pairs name.
+/// By operand, ascending: the faces that the pairs name. Of many pairs each face is listed once from the start.
 ById<OperandId, Array<std::uint32_t>> named_faces(const Operands& operands, const FacePairs& pairs) {
+  const bool many = pairs.size() >= grid::thresholds().few_keys;
+  grid::PagedById<FaceId, std::uint8_t> is_listed(many ? operands.face_count() : 0);
   ById<OperandId, Array<std::uint32_t>> named(operands.bodies.size());
   for (const FacePair& p : pairs)
     for (const FaceId id : p) {
+      if (many && is_listed[id]) continue;
+      if (many) is_listed.at(id) = 1;
       const OwnFace f = operands.own(id);
       named[f.operand].push_back(f.face);
     }
+
   for (auto& list : named) {
     std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    if (!many) list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   return named;
 }

@@ -28,7 +28,7 @@ struct Thresholds {
   int crowded_blocks = 12;
   /// More pairs of faces left between two slabs than this are compared along the slabs' line.
   int crowded_slabs = 16;
-  /// Fewer keys than this are sorted by comparison, others by digits.
+  /// Fewer keys than this are sorted by comparison, others by digits or into buckets.
   std::size_t few_keys = 500;
   /// Faces with more boundary edges than this are searched through a tree over their edges.
   std::uint32_t large_face = 48;

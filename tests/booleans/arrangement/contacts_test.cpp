@@ -1,5 +1,8 @@
 #include "booleans/arrangement/contacts.h"
 
+#include <algorithm>
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "tests/booleans/stages.h"
@@ -53,6 +56,25 @@ TEST(Contacts, BarThroughTheHoleOfAFaceOfManyEdges) {
   const Body plate = minus(box({0, 0, 0}, {10, 10, 1}), box({2, 2, -1}, {8, 8, 2}));
   EXPECT_TRUE(contacts_of({plate, box({4, 4, -3}, {5, 5, 3})}).empty());
   EXPECT_FALSE(contacts_of({plate, box({1, 4, -3}, {3, 5, 3})}).empty());
+}
+
+// Many pairs are counted into buckets, few are compared: the same list, ascending and each pair once; and the same
+// faces are touched, in the same order.
+TEST(Contacts, PairsSortedByCountingAsByComparing) {
+  for_families(7301, 60, [](Solids& solids, Random&) {
+    const std::vector<Body> bodies{solids.next(), solids.next(), solids.next()};
+    const auto with = [&](std::size_t few_keys) {
+      const WithThresholds thresholds(grid::testing::with(&grid::Thresholds::few_keys, few_keys));
+      const Drawn drawn(bodies);
+      const Array<TouchedPair> pairs = touched_pairs(drawn.touched, drawn.pairs);
+      std::vector<std::array<std::uint32_t, 2>> list;
+      for (const auto& [f, g] : pairs) list.push_back({f.value, g.value});
+      for (const FaceId f : drawn.touched.members) list.push_back({f.value, f.value});
+      EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end(), std::not_fn(std::less<>())), pairs.end());
+      return list;
+    };
+    ASSERT_EQ(with(0), with(std::size_t{1} << 30));
+  });
 }
 
 // Faces that a line enters and leaves once are met by signs alone, others along the line: with the same contacts.
