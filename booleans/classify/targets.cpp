@@ -25,7 +25,7 @@ Targets::Targets(const Arrangement& a, const Box& region)
       targets_.push_back({n, none});
       Box& box = boxes_.emplace_back();
       for (const std::uint32_t h : half_edges_[s][a.sheets.facet_of(n).value])
-        box.add(a.names.vertices.approximation(sheet.origin(h)));
+        a.names.vertices.add_to(box, sheet.origin(h));
     }
   }
 }
@@ -41,7 +41,7 @@ exact::Plane Targets::plane(std::uint32_t t, bool& turned) const {
   if (target.facet != none) return a_.names.planes[a_.sheets[a_.sheets.sheet_of(target.facet)].plane];
 
   const OwnFace f = a_.operands.own(target.face);
-  const exact::Plane p = a_.operands[f.operand].plane(f.face);
+  const exact::Plane p = a_.operands[f.operand].sign_plane(f.face);
   turned = !exact::is_canonical(p);
   return turned ? p.opposite() : p;
 }
