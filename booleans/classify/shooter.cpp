@@ -213,7 +213,7 @@ SideId Shooter::first_hit(const Ray& ray) {
     Box slopes = sight.is_ahead() ? box_of(sight) : anywhere;
     slopes.low[1] = INT32_MIN;
     seen_from_[hub].meeting(slopes, [&](std::uint32_t t) {
-      if (!hits(t, s, hit)) return;
+      if (!targets_.box(t).meets(way) || !hits(t, s, hit)) return;
       way.low[1] = static_cast<std::int32_t>(std::floor(s.v.approximation[1])) - 1;  // infinitely near to v
       if (sight.is_ahead()) slopes.low[1] = low_of(height(hit.plane.n, 0, 1, sight.z));
     });

@@ -19,11 +19,11 @@ struct Ray {
 ///
 /// Targets are found by their boxes. All targets with the corner v are infinitely near to the rays that start there,
 /// though, so where many do, at a *hub*, these are found by the directions in which they are seen from it:
-///   - What a ray meets of them it meets infinitely near to v, at a place that is seen from v in the same dz/dx as the
-///     ray's start, but for infinitely little, and in no larger dy/dx. All that has x > v_x there.
-///   - A target lies in the hull of its corners. So where all of them but v have x > v_x, the target is seen within the
-///     box of their slopes, (dz/dx, dy/dx).
-/// Where a corner has not, the target may be seen anywhere; where none has, it is not met.
+///   - A ray meets them infinitely near to v, at places with x > v_x, seen from v in the dz/dx of the ray's start, but
+///     for infinitely little, and in no larger dy/dx.
+///   - A target lies in the hull of its corners. So where all of them but v have x > v_x, it is seen within the box of
+///     their slopes (dz/dx, dy/dx).
+/// Where some corners have not, the target may be seen anywhere; where none has, it is not met.
 class Shooter {
  public:
   /// `rays`: all that are to be shot.

@@ -119,11 +119,13 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
   const auto visit_own = [&](OperandId operand, std::uint32_t u, std::uint32_t w) {
     const Body& body = a_.operands[operand];
     exact::Plane line{};
-    if (!body.is_grid(u) || !body.is_grid(w))
+    if (!body.is_grid(u) || !body.is_grid(w)) {
+      assert(adjacency_[operand]);
       adjacency_[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
         const exact::Plane q = body.plane(g);
         if (!exact::parallel(plane, q)) line = q;
       });
+    }
     visit(Edge{body.point(u), body.point(w), line});
   };
 
