@@ -1,12 +1,9 @@
 #include "booleans/classify/seeds.h"
 
 #include <map>
-#include <numeric>
 #include <optional>
-#include <unordered_map>
 
-#include "booleans/classify/any_vertex.h"
-#include "booleans/classify/targets.h"
+#include "booleans/classify/shooter.h"
 
 namespace quoin::booleans {
 namespace {
@@ -105,32 +102,23 @@ class Extremes {
 class CornerCollector {
  public:
   CornerCollector(const Open& open, const ById<ComponentId, Extreme>& extremes)
-      : open_(open), extremes_(extremes), corners_(extremes.size()) {
-    for (const ComponentId c : open.list) wanted_.emplace(extremes[c].vertex, c);
+      : open_(open), extremes_(extremes), corners_(extremes.size()), is_wanted_(open.a.names.vertices.size()) {
+    for (const ComponentId c : open.list)
+      if (const AnyVertex v = extremes[c].vertex; v.is_named()) is_wanted_[v.named()] = 1;
     add_uses();
     add_untouched();
   }
   ById<ComponentId, std::vector<UseCorner>> take() { return std::move(corners_); }
 
  private:
-  struct Hash {
-    std::size_t operator()(AnyVertex v) const { return v.hash(); }
-  };
-
   void offer(AnyVertex v, const UseCorner& corner) {
-    const auto range = wanted_.equal_range(v);
-    for (auto i = range.first; i != range.second; ++i)
-      if (open_.of(corner.node) == i->second) corners_[i->second].push_back(corner);
+    const ComponentId c = open_.of(corner.node);
+    if (extremes_[c].vertex == v) corners_[c].push_back(corner);
   }
 
   void add_uses() {
-    const Arrangement& a = open_.a;
-    ById<VertexId, std::uint8_t> is_wanted(a.names.vertices.size());
-    for (const auto& [v, c] : wanted_)
-      if (v.is_named()) is_wanted[v.named()] = 1;
-
-    a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
-      if (!is_wanted[low] && !is_wanted[uses[0].high()]) return;
+    open_.a.uses.for_edges([&](VertexId low, std::span<const Use> uses) {
+      if (!is_wanted_[low] && !is_wanted_[uses[0].high()]) return;
       for (const Use& u : uses)
         if (u.is_facet()) add_facet(low, u);  // untouched faces follow
     });
@@ -159,8 +147,12 @@ class CornerCollector {
     const BoxTree tree(points);
 
     for (const OperandChunk& c : a.operands.chunks) {
+      Box box = c.box;
       bool near = false;
-      tree.meeting(c.box, [&](std::uint32_t) { near = true; });
+      tree.meeting(box, [&](std::uint32_t) {
+        near = true;
+        box = {};  // one is enough
+      });
       if (!near) continue;
       for_untouched(a, c, [&](const Body& body, std::uint32_t face, NodeId node) {
         body.for_edges(face, [&](std::uint32_t u, std::uint32_t v) {
@@ -189,7 +181,7 @@ class CornerCollector {
       is_wanted[o] = grid::Paged<std::uint8_t>(a.operands[o].vertex_count());
       const OperandNames& names = a.names.operands[o];
       for (const std::uint32_t v : names.listed)
-        if (wanted_.contains(names.name_of[v])) is_wanted[o].at(v) = 1;
+        if (is_wanted_[names.name_of[v]]) is_wanted[o].at(v) = 1;
     }
     for (const ComponentId c : open_.list)
       if (const AnyVertex v = extremes_[c].vertex; !v.is_nothing() && !v.is_named())
@@ -199,8 +191,8 @@ class CornerCollector {
 
   const Open& open_;
   const ById<ComponentId, Extreme>& extremes_;
-  std::unordered_multimap<AnyVertex, ComponentId, Hash> wanted_;
   ById<ComponentId, std::vector<UseCorner>> corners_;
+  ById<VertexId, std::uint8_t> is_wanted_;
 };
 
 /// The direction from v to w, where at least two planes through that edge are not parallel.
@@ -250,7 +242,7 @@ bool precedes(const Direction& d, const Direction& e) {
 /// Where the ray of a component starts.
 struct Start {
   SideId outer;
-  RayStart ray;
+  Ray ray;
 };
 
 /// Nothing when no edge at v has two planes: of a clean operand that does not happen.
@@ -258,11 +250,13 @@ std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vect
   std::map<AnyVertex, std::vector<const UseCorner*>> edges;
   for (const UseCorner& c : corners) edges[c.w].push_back(&c);
   const std::vector<const UseCorner*>* chosen = nullptr;
+  AnyVertex end;
   Direction best{};
   for (const auto& [w, edge] : edges) {
     const auto d = direction(a, v, w, edge);
     if (!d || (chosen && !precedes(*d, best))) continue;
     best = *d;
+    end = w;
     chosen = &edge;
   }
   if (!chosen) return std::nullopt;
@@ -279,97 +273,8 @@ std::optional<Start> start_of(const Arrangement& a, AnyVertex v, const std::vect
 
   // Counter-clockwise before a facet that lies left of its edge is its back, else its front.
   const bool back = first->left != first->turned;
-  return Start{back ? back_of(first->node) : front_of(first->node), {v.point(a), best}};
+  return Start{back ? back_of(first->node) : front_of(first->node), {v, end, {v.point(a), best}}};
 }
-
-/// Is the plane (p_y > 0) below s: is p(s) > 0? Its terms are p(v), p . d, then -p_y < 0.
-bool in_front(const exact::Plane& p, const RayStart& s) {
-  if (const int at_v = exact::side(p, s.v)) return at_v > 0;
-  return dot(p, s.d).sign() > 0;
-}
-
-/// Is p met before q? The distances p(s) / p_y and q(s) / q_y compare term by term; those of t^2 are equal.
-bool nearer(const exact::Plane& p, const exact::Plane& q, const RayStart& s) {
-  const exact::Coefficient py(p.n[1]), qy(q.n[1]);
-  ++exact::counters().fixed_width;
-  if (const int c = exact::compare(exact::scaled_value(p, s.v) * qy, exact::scaled_value(q, s.v) * py)) return c < 0;
-  if (const int c = exact::compare(dot(p, s.d) * qy, dot(q, s.d) * py)) return c < 0;
-  if (const int c = exact::compare(exact::Coefficient(p.n[2]) * qy, exact::Coefficient(q.n[2]) * py)) return c > 0;
-  return exact::compare(exact::Coefficient(p.n[0]) * qy, exact::Coefficient(q.n[0]) * py) < 0;
-}
-
-/// The box of a ray towards -y.
-Box ray_box(const std::array<double, 3>& from) {
-  Box ray;
-  ray.add(from);
-  ray.low[1] = INT32_MIN;
-  return ray;
-}
-
-/// Finds the nearest target in each ray's way.
-class Shooter {
- public:
-  /// `from`: where all rays start.
-  Shooter(const Arrangement& a, const std::vector<std::array<double, 3>>& from) : targets_(a, region(from)) {
-    if (from.size() > grid::thresholds().few_rays) {
-      Array<BoxTree::Item> items(targets_.size());
-      for (std::uint32_t t = 0; t < items.size(); ++t) items[t] = {targets_.box(t), t, t};
-      tree_.emplace(items);
-    }
-
-    // What the rays may meet; where many components stand above each other that is all.
-    std::vector<std::uint32_t> wanted;
-    for (std::size_t i = 0; i < from.size() && wanted.size() <= 2 * targets_.size(); ++i)
-      for_targets(ray_box(from[i]), [&](std::uint32_t t) { wanted.push_back(t); });
-    if (wanted.size() > 2 * targets_.size()) {
-      wanted.resize(targets_.size());
-      std::iota(wanted.begin(), wanted.end(), 0u);
-    }
-    targets_.prepare(wanted);
-  }
-
-  /// The side on which the ray from s, at `at`, comes down first; none when it reaches infinity.
-  SideId first_hit(const RayStart& s) {
-    Box ray = ray_box(s.v.approximation);
-    std::uint32_t nearest = none;
-    exact::Plane nearest_plane{};  // oriented towards +y
-    bool nearest_turned = false;   // that is against the facet's front
-    for_targets(ray, [&](std::uint32_t t) {
-      bool turned = false;
-      exact::Plane p = targets_.plane(t, turned);
-      if (p.n[1] == 0) return;
-      if (p.n[1] < 0) {
-        p = p.opposite();
-        turned = !turned;
-      }
-      if (!in_front(p, s) || (nearest != none && !nearer(p, nearest_plane, s))) return;
-      if (!targets_.crossed(t, p, s)) return;
-      nearest = t;
-      nearest_plane = p;
-      nearest_turned = turned;
-      ray.low[1] = targets_.box(t).low[1];  // nothing below is nearer
-    });
-    if (nearest == none) return none;
-    // The ray comes down on the side that looks towards +y.
-    return nearest_turned ? back_of(targets_.node(nearest)) : front_of(targets_.node(nearest));
-  }
-
- private:
-  static Box region(const std::vector<std::array<double, 3>>& from) {
-    Box rays;
-    for (const auto& p : from) rays.add(ray_box(p));
-    return rays;
-  }
-  template <class Visit>
-  void for_targets(const Box& ray, Visit&& visit) const {
-    if (tree_) return tree_->meeting(ray, visit);
-    for (std::uint32_t t = 0; t < targets_.size(); ++t)
-      if (targets_.box(t).meets(ray)) visit(t);
-  }
-
-  Targets targets_;
-  std::optional<BoxTree> tree_;
-};
 
 }  // namespace
 
@@ -381,18 +286,18 @@ std::vector<Seed> find_seeds(const Arrangement& a, const Components& components,
   const auto corners = CornerCollector(open, extremes).take();
 
   std::vector<Seed> seeds;
-  std::vector<std::optional<Start>> starts;
+  std::vector<Ray> rays;
   for (const ComponentId c : open.list) {
-    starts.push_back(start_of(a, extremes[c].vertex, corners[c]));
-    seeds.push_back({starts.back() ? starts.back()->outer : SideId(none), none});
+    const auto start = start_of(a, extremes[c].vertex, corners[c]);
+    seeds.push_back({start ? start->outer : SideId(none), none});
+    if (start) rays.push_back(start->ray);
   }
   if (components.count == 1) return seeds;  // a ray meets other components only
 
-  std::vector<std::array<double, 3>> from;
-  for (const ComponentId c : open.list) from.push_back(extremes[c].at);
-  Shooter shooter(a, from);
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    if (starts[i]) seeds[i].beyond = shooter.first_hit(starts[i]->ray);
+  Shooter shooter(a, rays);
+  auto ray = rays.begin();
+  for (Seed& s : seeds)
+    if (s.outer != none) s.beyond = shooter.first_hit(*ray++);
   return seeds;
 }
 

@@ -25,7 +25,7 @@ Targets::Targets(const Arrangement& a, const Box& region)
       targets_.push_back({n, none});
       Box& box = boxes_.emplace_back();
       for (const std::uint32_t h : half_edges_[s][a.sheets.facet_of(n).value])
-        box.add(a.names.vertices.approximation(sheet.origin(h)));
+        a.names.vertices.add_to(box, sheet.origin(h));
     }
   }
 }
@@ -41,7 +41,7 @@ exact::Plane Targets::plane(std::uint32_t t, bool& turned) const {
   if (target.facet != none) return a_.names.planes[a_.sheets[a_.sheets.sheet_of(target.facet)].plane];
 
   const OwnFace f = a_.operands.own(target.face);
-  const exact::Plane p = a_.operands[f.operand].plane(f.face);
+  const exact::Plane p = a_.operands[f.operand].sign_plane(f.face);
   turned = !exact::is_canonical(p);
   return turned ? p.opposite() : p;
 }
@@ -119,11 +119,13 @@ void Targets::for_edges(std::uint32_t t, const exact::Plane& plane, Visit&& visi
   const auto visit_own = [&](OperandId operand, std::uint32_t u, std::uint32_t w) {
     const Body& body = a_.operands[operand];
     exact::Plane line{};
-    if (!body.is_grid(u) || !body.is_grid(w))
+    if (!body.is_grid(u) || !body.is_grid(w)) {
+      assert(adjacency_[operand]);
       adjacency_[operand]->faces_at_edge(u, w, [&](std::uint32_t g, bool) {
         const exact::Plane q = body.plane(g);
         if (!exact::parallel(plane, q)) line = q;
       });
+    }
     visit(Edge{body.point(u), body.point(w), line});
   };
 

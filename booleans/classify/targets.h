@@ -4,7 +4,7 @@
 
 #include <unordered_map>
 
-#include "booleans/arrangement/arrangement.h"
+#include "booleans/classify/any_vertex.h"
 #include "grid/lists/buckets.h"
 
 namespace quoin::booleans {
@@ -36,10 +36,14 @@ class Targets {
   Targets(const Arrangement& a, const Box& region);
 
   std::size_t size() const { return targets_.size(); }
+  /// Holds the target, exactly.
   const Box& box(std::uint32_t t) const { return boxes_[t]; }
+  /// visit(vertex) for corners whose hull holds the target, some of them more than once.
+  template <class Visit>
+  void for_corners(std::uint32_t t, Visit&& visit) const;
   /// Facet or patch number.
   NodeId node(std::uint32_t t) const;
-  /// Canonical plane, and whether a patch's outward normal is opposite to it.
+  /// The plane in its canonical orientation, not reduced, and whether a patch's outward normal is opposite to it.
   exact::Plane plane(std::uint32_t t, bool& turned) const;
   /// Makes ready to shoot at these.
   void prepare(std::span<const std::uint32_t> targets);
@@ -73,5 +77,18 @@ class Targets {
   std::unordered_map<std::uint32_t, Searchable> searchable_;  // by target
   ById<OperandId, std::unique_ptr<Adjacency>> adjacency_;     // of the prepared polygons
 };
+
+template <class Visit>
+void Targets::for_corners(std::uint32_t t, Visit&& visit) const {
+  const Target& target = targets_[t];
+  if (target.facet == none) {
+    const auto [operand, face] = a_.operands.own(target.face);
+    for (const std::uint32_t v : a_.operands[operand].corners_of(face)) visit(AnyVertex(a_.names, operand, v));
+    return;
+  }
+  const SheetId s = a_.sheets.sheet_of(target.facet);
+  for (const std::uint32_t h : half_edges_[s][a_.sheets.facet_of(target.facet).value])
+    visit(AnyVertex(a_.sheets[s].origin(h)));
+}
 
 }  // namespace quoin::booleans

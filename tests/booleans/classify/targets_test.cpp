@@ -2,20 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/rational.h"
-#include "tests/booleans/stages.h"
+#include "tests/booleans/classify/rational_rays.h"
 
 namespace quoin::booleans::testing {
 namespace {
-
-using exact::Rational;
-using RationalPoint = std::array<Rational, 3>;
 
 constexpr Box everything{{-exact::world, -exact::world, -exact::world}, {exact::world, exact::world, exact::world}};
 
 std::string text_of(const Targets& targets, std::uint32_t t) {
   bool turned = false;
-  const exact::Plane p = targets.plane(t, turned);
+  exact::Plane p = targets.plane(t, turned);
+  p = exact::reduced_plane(p.n, p.d);
   std::string text = "node " + std::to_string(targets.node(t).value) + " on [";
   for (const std::int64_t x : p.n) text += std::to_string(x) + " ";
   text += std::to_string(static_cast<std::int64_t>(p.d)) + "]" + (turned ? " turned:" : ":");
@@ -86,56 +83,6 @@ TEST(Targets, PlateWithAHole) {
   }
 }
 
-/// The place of a ray's start in (x, z), for a t that is small enough.
-std::array<Rational, 2> shifted(const RayStart& s) {
-  static const Rational t = Rational(1, exact::Integer(1) << 1500);
-  const Rational dx(exact::to_integer(s.d[0])), dz(exact::to_integer(s.d[2]));
-  return {Rational(exact::coordinate(s.v, 0) + t * dx + t * t * t * t),
-          Rational(exact::coordinate(s.v, 2) + t * dz - t * t * t)};
-}
-
-/// Is the place in a polygon in (x, z), of directed edges? By the edges above it.
-bool is_in(const std::array<Rational, 2>& place, const std::vector<std::array<exact::Point, 2>>& edges) {
-  bool odd = false;
-  for (const auto& [p, q] : edges) {
-    const Rational px = exact::coordinate(p, 0), qx = exact::coordinate(q, 0);
-    if ((px > place[0]) == (qx > place[0])) continue;
-    const Rational pz = exact::coordinate(p, 2), qz = exact::coordinate(q, 2);
-    odd ^= pz + (qz - pz) / (qx - px) * (place[0] - px) > place[1];
-  }
-  return odd;
-}
-
-/// Every facet and untouched face, in the order of targets everywhere, with its node and edges, spared loops among
-/// them.
-std::vector<std::pair<NodeId, std::vector<std::array<exact::Point, 2>>>> polygons_of(const Arrangement& a) {
-  std::vector<std::pair<NodeId, std::vector<std::array<exact::Point, 2>>>> all;
-  for (const OperandChunk& c : a.operands.chunks)
-    for (const FaceId f : Ids<FaceId>(c.begin, c.end)) {
-      if (a.touched.is_touched(f)) continue;
-      auto& edges = all.emplace_back(a.patches().of[f], std::vector<std::array<exact::Point, 2>>()).second;
-      const Body& body = a.operands[c.operand];
-      body.for_edges(a.operands.own(c.operand, f), [&](std::uint32_t u, std::uint32_t v) {
-        edges.push_back({body.point(u), body.point(v)});
-      });
-    }
-  for (const NodeId n : Ids<NodeId>(a.sheets.facet_count())) {
-    auto& edges = all.emplace_back(n, std::vector<std::array<exact::Point, 2>>()).second;
-    const Sheet& sheet = a.sheets[a.sheets.sheet_of(n)];
-    for (std::uint32_t h = 0; h < sheet.half_edges(); ++h)
-      if (sheet.facet[h] == a.sheets.facet_of(n))
-        edges.push_back({a.names.vertices.point(sheet.origin(h)), a.names.vertices.point(sheet.target(h))});
-    for (const SparedFace& s : a.sheets.spared(n)) {
-      const Body& body = a.operands[a.touched.faces[s.face].operand];
-      for (const std::uint32_t loop : a.touched.spared_of(s.face))
-        grid::for_loop_edges(body.polygons.loop(loop), [&](std::uint32_t u, std::uint32_t v) {
-          edges.push_back({body.point(u), body.point(v)});
-        });
-    }
-  }
-  return all;
-}
-
 /// A vertex of the arrangement; the way to another one of grid points, or any.
 RayStart any_start(const Arrangement& a, Random& random) {
   const auto vertex = [&] {
@@ -174,13 +121,13 @@ TEST(Targets, AreCrossedWhereRationalsSay) {
       const RayStart s = any_start(a, random);
       const auto place = shifted(s);
       for (const std::uint32_t t : all) {
-        ASSERT_EQ(targets.node(t), polygons[t].first);
+        ASSERT_EQ(targets.node(t), polygons[t].node);
         bool turned = false;
         const exact::Plane plane = targets.plane(t, turned);
         ASSERT_TRUE(exact::is_canonical(plane));
-        for (const auto& [p, q] : polygons[t].second) ASSERT_EQ(exact::side(plane, p), 0);
+        for (const auto& [p, q] : polygons[t].edges) ASSERT_EQ(exact::side(plane, p), 0);
         if (plane.n[1] == 0) continue;
-        const bool expected = is_in(place, polygons[t].second);
+        const bool expected = is_in(place, polygons[t].edges);
         ASSERT_EQ(targets.crossed(t, plane, s), expected);
         ++(expected ? crossed : missed);
       }
