@@ -46,6 +46,8 @@ class Evaluator {
   /// Adds to the winding number of an operand.
   void add(std::uint32_t operand, int by);
   bool value() const { return value_[0] != 0; }
+  /// How often the expression names an operand.
+  std::size_t leaf_count(std::uint32_t operand) const { return leaves_[operand].size(); }
 
  private:
   bool evaluate(std::uint32_t node) const;
