@@ -38,6 +38,17 @@ Solid combine(const std::string& operation, const std::vector<Solid>& s, Evaluat
     for (std::size_t i = all.size() - 1; i-- > 0;) nested = all[i] - nested;
     return evaluate(nested);
   }
+  if (operation == "leaning" || operation == "alternating") {
+    Expression tree = all[0];
+    for (std::size_t i = 1; i < all.size(); ++i)
+      tree = operation == "leaning" || i % 2 == 1 ? tree + all[i] : tree - all[i];
+    return evaluate(tree);
+  }
+  if (operation == "remainders") {
+    std::vector<Expression> remainders;
+    for (const Expression& next : rest) remainders.push_back(all[0] - next);
+    return evaluate(Expression::unite(remainders));
+  }
   Solid result = s[0];
   for (const Expression& next : rest) result = evaluate(operation == "unions" ? result + next : result - next);
   return result;

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 
+#include "bench/combine.h"
 #include "examples/models.h"
 
 namespace quoin::bench {
@@ -83,15 +85,22 @@ std::vector<std::array<double, 2>> around(std::size_t corners, double turn, doub
   return polygon;
 }
 
+/// The i-th of n points spread evenly over the unit sphere.
+Point on_sphere(std::size_t i, std::size_t n) {
+  const double golden = pi * (3 - std::sqrt(5.0)), z = 1 - (2 * double(i) + 1) / double(n), r = std::sqrt(1 - z * z),
+               angle = golden * double(i);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+/// The coordinates as decimals.
+Text3 text(const Point& p) { return {std::to_string(p[0]), std::to_string(p[1]), std::to_string(p[2])}; }
+
 }  // namespace
 
 std::vector<Mesh> pyramids_with_one_apex(std::size_t n) {
   std::vector<Mesh> all;
-  const double radius = 0.8 / std::sqrt(double(n)), golden = pi * (3 - std::sqrt(5.0));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * double(i) + 1) / double(n), r = std::sqrt(1 - z * z), angle = golden * double(i);
-    all.push_back(pyramid({0, 0, 0}, {r * std::cos(angle), r * std::sin(angle), z}, radius, 6));
-  }
+  const double radius = 0.8 / std::sqrt(double(n));
+  for (std::size_t i = 0; i < n; ++i) all.push_back(pyramid({0, 0, 0}, on_sphere(i, n), radius, 6));
   return all;
 }
 
@@ -157,6 +166,42 @@ std::vector<Mesh> nested_boxes(std::size_t n) {
     all.push_back(examples::box({-size, -size, -size}, {size, size, size}));
   }
   return all;
+}
+
+std::vector<Mesh> boxes_in_a_row(std::size_t n) {
+  std::vector<Mesh> all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = double(i), size = i % 2 == 0 ? 0.5 : 0.4;
+    all.push_back(examples::box({x - 0.6, -size, -size}, {x + 0.6, size, size}));
+  }
+  return all;
+}
+
+std::vector<Mesh> sphere_and_spheres(std::size_t n) {
+  std::vector<Mesh> all{examples::icosphere({0, 0, 0}, 1, 3)};
+  for (std::size_t i = 0; i < n; ++i) all.push_back(examples::icosphere(on_sphere(i, n), 1 / std::sqrt(double(n)), 0));
+  return all;
+}
+
+Solid common_of_half_spaces(std::size_t n, const Grid& grid, const Options& run) {
+  ImportOptions options;
+  options.grid = grid;
+  const Mesh around = examples::box({-2, -2, -2}, {2, 2, 2});
+  std::vector<Expression> all{must(Solid::from_triangles(around.points, around.triangles, options))};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Text3 normal = text(on_sphere(i, n));
+    all.push_back(HalfSpace{{normal[0], normal[1], normal[2], "-1"}});
+  }
+  return must(evaluate(Expression::intersect(all), run));
+}
+
+Solid hull_of_points(std::size_t n, const Grid& grid, const Options& run) {
+  std::vector<Text3> points;
+  for (std::size_t i = 0; i < n; ++i) points.push_back(text(on_sphere(i, n)));
+  ModelOptions options;
+  options.grid = grid;
+  options.run = run;
+  return must(evaluate(Model::hull(points), options));
 }
 
 }  // namespace quoin::bench

@@ -1,6 +1,7 @@
 /// \file
 /// Shapes on which work tends to grow faster than what comes out of it: everything meets in one point or along one
-/// edge, all boxes overlap, all surfaces coincide. The output of each is linear in its size.
+/// edge, all boxes overlap, all surfaces coincide, expressions are deep or have a solid in all terms, planes surround a
+/// sphere. The output of each is linear in its size.
 #pragma once
 
 #include <cstddef>
@@ -35,5 +36,18 @@ std::vector<Mesh> star_polygons(std::size_t n);
 
 /// n boxes, each inside the one before it.
 std::vector<Mesh> nested_boxes(std::size_t n);
+
+/// n boxes, each of which overlaps its neighbours only.
+std::vector<Mesh> boxes_in_a_row(std::size_t n);
+
+/// A sphere of 1,280 triangles, then n of 20 on its surface, apart.
+std::vector<Mesh> sphere_and_spheres(std::size_t n);
+
+/// What n half-spaces whose planes touch a sphere have in common: n faces, 2 n - 4 vertices. Precondition: n is large
+/// enough for it to be within twice the sphere.
+Solid common_of_half_spaces(std::size_t n, const Grid& grid, const Options& run);
+
+/// The convex hull of n points of a sphere.
+Solid hull_of_points(std::size_t n, const Grid& grid, const Options& run);
 
 }  // namespace quoin::bench

@@ -164,6 +164,19 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
     for (std::size_t i = s.size(); i-- > 0;) sum = volume(s[i]) - sum;
     return {"volumes of shells add up", volume(result) == sum};
   }
+  if (w.operation == Operation::unite_leaning)
+    return {"the union of all", result == must(evaluate(all_of(s), run_options))};
+  if (w.operation == Operation::alternate) {  // an operand overlaps its neighbours only
+    std::vector<Expression> parts{s[0]};
+    for (std::size_t i = 1; i < s.size(); i += 2)
+      parts.push_back(i + 1 < s.size() ? Expression(s[i]) - s[i + 1] : Expression(s[i]));
+    return {"each second one without the one after it",
+            result == must(evaluate(Expression::unite(parts), run_options))};
+  }
+  if (w.operation == Operation::unite_remainders) {
+    const Expression common = Expression::intersect({s.begin() + 1, s.end()});
+    return {"the first without what all others have in common", result == must(evaluate(s[0] - common, run_options))};
+  }
   if (s.size() == 2) return law_of_two(w, s, result);
   const auto middle = s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2);
   if (w.operation == Operation::unite)
@@ -174,7 +187,19 @@ Law law(const Workload& w, std::size_t size, const std::vector<Solid>& s, const 
               volumes_add_up(result, 'd', s[0], all_of({s.begin() + 1, s.end()}))};
 }
 
+/// Of a result that comes of no operands.
+Law law_of_made(const Workload& w, std::size_t n, const Solid& result) {
+  const Info info = result.info();
+  if (w.name == "half-spaces")
+    return {"a face a plane, 2 n - 4 vertices", info.faces == n && info.vertices == 2 * n - 4};
+  return {"all points are vertices", info.vertices == n};
+}
+
 int write(const Workload& w, std::size_t size, const std::string& folder) {
+  if (w.operands == nullptr) {
+    std::fprintf(stderr, "%s has no operands\n", w.name.c_str());
+    return 2;
+  }
   std::filesystem::create_directories(folder);
   std::ofstream(folder + "/operation") << bench::name(w.operation) << "\n";
   std::ofstream(folder + "/step") << w.step << "\n";
@@ -191,18 +216,24 @@ unsigned long long count(std::uint64_t n) { return n; }
 
 int run(const Workload& w, std::size_t size) {
   grid = must(Grid::with_step(w.step));
-  const std::vector<Solid> solids = import(w.operands(size));
-  Solid before, result = solids[0];  // of the last operation
-  bench::combine(bench::name(w.operation), solids, [&](const Expression& e) {
-    before = result;
-    return result = boolean(e);
-  });
+  std::vector<Solid> solids;
+  Solid before, result;  // of the last operation
+  if (w.made != nullptr) {
+    result = timed(combining, "prepare", [&] { return w.made(size, grid, watched(combining)); });
+  } else {
+    solids = import(w.operands(size));
+    result = solids[0];
+    bench::combine(bench::name(w.operation), solids, [&](const Expression& e) {
+      before = result;
+      return result = boolean(e);
+    });
+  }
   const long peak_mb = peak_now() / 1024;  // before the law is tried
   ExportReport report;
   const Mesh mesh =
       timed(exporting, "prepare", [&] { return must(result.to_triangles({.run = watched(exporting)}, &report)); });
   const exact::Counters rungs = exact::total_counters();  // before the law is tried
-  const Law tried = law(w, size, solids, before, result);
+  const Law tried = w.made != nullptr ? law_of_made(w, size, result) : law(w, size, solids, before, result);
   std::printf("{\"workload\": \"%s\", \"size\": %zu, \"threads\": %u", w.name.c_str(), size, run_options.threads);
   const std::array<std::pair<const char*, const Clock*>, 3> clocks{
       {{"import", &importing}, {"boolean", &combining}, {"export", &exporting}}};
@@ -242,7 +273,8 @@ int main(int argc, char** argv) {
   const Workload* workload = argc < 2 ? nullptr : bench::find_workload(argv[writes ? 2 : 1]);
   if (workload == nullptr) {
     for (const Workload& w : bench::workloads())
-      std::printf("%-22s %-14s %zu %s\n", w.name.c_str(), bench::name(w.operation), w.default_size, w.unit.c_str());
+      std::printf("%-22s %-14s %zu %s\n", w.name.c_str(), w.made != nullptr ? "made" : bench::name(w.operation),
+                  w.default_size, w.unit.c_str());
     return argc < 2 ? 0 : 2;
   }
   const auto number = [&](int i, std::size_t otherwise) {

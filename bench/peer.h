@@ -110,9 +110,16 @@ Solid combine_pairwise(const Task& task, std::vector<Solid>& solids, Op op) {
     for (std::size_t i = solids.size() - 1; i-- > 0;) nested = op(solids[i], nested, 'd');
     return nested;
   }
+  if (task.operation == "remainders") {
+    std::vector<Solid> remainders;
+    for (std::size_t i = 1; i < solids.size(); ++i) remainders.push_back(op(solids[0], solids[i], 'd'));
+    return tree(std::move(remainders), 'u');
+  }
+  const bool unites = task.operation == "unions" || task.operation == "leaning";
+  const bool alternates = task.operation == "alternating";
   Solid result = std::move(solids[0]);
   for (std::size_t i = 1; i < solids.size(); ++i)
-    result = op(result, solids[i], task.operation == "unions" ? 'u' : 'd');
+    result = op(result, solids[i], unites || (alternates && i % 2 == 1) ? 'u' : 'd');
   return result;
 }
 

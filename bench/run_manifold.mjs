@@ -41,10 +41,13 @@ else if (operation === 'parts') {
   result = Manifold.union(parts);
 } else if (operation === 'nested') {
   result = solids.reduceRight((nested, solid) => solid.subtract(nested));
+} else if (operation === 'remainders') {
+  result = Manifold.union(solids.slice(1).map(solid => solids[0].subtract(solid)));
 } else {
+  const unites = operation === 'unions' || operation === 'leaning', alternates = operation === 'alternating';
   result = solids[0];
-  for (const next of solids.slice(1)) {
-    result = operation === 'unions' ? result.add(next) : result.subtract(next);
+  for (const [i, next] of solids.slice(1).entries()) {
+    result = unites || (alternates && i % 2 === 0) ? result.add(next) : result.subtract(next);
     result.numTri();
   }
 }

@@ -179,7 +179,8 @@ std::vector<Mesh> skinny(std::size_t n) {
 }  // namespace
 
 const char* name(Operation operation) {
-  static constexpr std::array names{"union", "intersection", "difference", "unions", "differences", "parts", "nested"};
+  static constexpr std::array names{"union", "intersection", "difference", "unions",      "differences",
+                                    "parts", "nested",       "leaning",    "alternating", "remainders"};
   return names[static_cast<std::size_t>(operation)];
 }
 
@@ -221,6 +222,11 @@ const std::vector<Workload>& workloads() {
       {"duplicates", "solids", 2000, unite, fine, stacked_duplicates},
       {"stars", "tips", 16000, intersect, fine, star_polygons},
       {"nested", "boxes", 4000, subtract_nested, fine, nested_boxes},
+      {"deep", "boxes", 4000, unite_leaning, "1/1024", boxes_in_a_row},
+      {"deep-alternating", "boxes", 4000, alternate, "1/1024", boxes_in_a_row},
+      {"repeated", "spheres", 4000, unite_remainders, fine, sphere_and_spheres},
+      {"half-spaces", "planes", 4000, intersect, coarse, nullptr, common_of_half_spaces},
+      {"hulls", "points", 4000, unite, fine, nullptr, hull_of_points},
   };
   return all;
 }

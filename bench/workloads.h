@@ -18,9 +18,13 @@ enum class Operation {
   subtract_each,      // one difference after the other
   unite_differences,  // the union of each operand without the one after it
   subtract_nested,    // the first without (the second without (the third ..))
+  unite_leaning,      // ((the first u the second) u the third) u .., in one operation
+  alternate,          // ((the first u the second) without the third) u .., in one operation
+  unite_remainders,   // the union of the first without each of the others
 };
 
-/// "union", "intersection", "difference", "unions", "differences", "parts", "nested".
+/// "union", "intersection", "difference", "unions", "differences", "parts", "nested", "leaning", "alternating",
+/// "remainders".
 const char* name(Operation operation);
 
 struct Workload {
@@ -32,6 +36,8 @@ struct Workload {
   /// The step of the grid, model units.
   std::string step;
   std::vector<Mesh> (*operands)(std::size_t size);
+  /// Makes the result of a workload without operands; null for others.
+  Solid (*made)(std::size_t size, const Grid& grid, const Options& run) = nullptr;
 };
 
 const std::vector<Workload>& workloads();

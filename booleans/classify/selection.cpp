@@ -1,6 +1,9 @@
 #include "booleans/classify/selection.h"
 
+#include <bit>
+
 #include "grid/lists/buckets.h"
+#include "grid/lists/partition.h"
 
 namespace quoin::booleans {
 namespace {
@@ -30,6 +33,18 @@ class Label {
     const int way = is_back(from) ? -1 : 1;  // from front to back adds the jump
     a.for_jumps(node_of(from), [&](OperandId operand, int by) { add(operand, way * by); });
   }
+  /// How many leaves of the expression a node changes.
+  std::size_t leaf_count(const Arrangement& a, NodeId n) const {
+    std::size_t count = 0;
+    a.for_jumps(n, [&](OperandId operand, int) { count += evaluator_.leaf_count(operand.value); });
+    return count;
+  }
+  /// Does the expression name an operand more than once?
+  bool repeats(const Arrangement& a) const {
+    bool found = false;
+    for (const OperandId o : a.operands.ids()) found = found || evaluator_.leaf_count(o.value) > 1;
+    return found;
+  }
 
  private:
   void add(OperandId operand, int by) {
@@ -54,11 +69,34 @@ struct CellValues {
   }
 };
 
-/// Walks from infinity through all nodes, changing one label as it goes; labels are never stored.
+/// Nodes that connect all cells that nodes do, without a cycle. Those that change fewer leaves come first, by powers of
+/// two: all together change at most twice as many as they must (Kruskal).
+ById<NodeId, std::uint8_t> tree_of_few_leaves(const Arrangement& a, const Cells& cells, const Label& label) {
+  const grid::Buckets<> by_leaves(8 * sizeof(std::size_t) + 1, [&](auto&& visit) {
+    for (const NodeId n : Ids<NodeId>(a.node_count()))
+      visit(static_cast<std::size_t>(std::bit_width(label.leaf_count(a, n))), n.value);
+  });
+
+  ById<NodeId, std::uint8_t> is_in_tree(a.node_count());
+  grid::Partition connected(cells.count);
+  for (const NodeId n : by_leaves.items()) {
+    const std::uint32_t front = connected.find(cells.of[front_of(n)].value),
+                        back = connected.find(cells.of[back_of(n)].value);
+    if (front == back) continue;
+    connected.unite(front, back);
+    is_in_tree[n] = 1;
+  }
+  return is_in_tree;
+}
+
+/// Walks from infinity through nodes, changing one label as it goes; labels are never stored. Nodes that change many
+/// leaves are walked through where there is no other way only.
 CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expression& expression) {
   const auto sides = grid::in_buckets(cells.of.size(), cells.count, [&](SideId s) { return cells.of[s].value; });
   CellValues values(cells.count);
   Label label(a, expression);
+  ById<NodeId, std::uint8_t> is_way;  // empty: all nodes are
+  if (label.repeats(a)) is_way = tree_of_few_leaves(a, cells, label);
 
   struct Visit {
     CellId cell;
@@ -82,7 +120,7 @@ CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expres
     }
     const SideId s = around[top.next++];
     const CellId beyond = cells.of[opposite(s)];
-    if (values.is_seen[beyond]) continue;
+    if (values.is_seen[beyond] || (!is_way.empty() && !is_way[node_of(s)])) continue;
     label.cross(a, s);
     enter(beyond, s);
   }

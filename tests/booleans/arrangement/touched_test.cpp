@@ -78,6 +78,36 @@ TEST(Touched, UntouchedNeighboursAreListed) {
   EXPECT_EQ(drawn.touched.untouched.size(), 2u * 6u);
 }
 
+// Three tetrahedra at each of two edges, which end in the vertex of the highest number: each edge of a face has a plane
+// through it, not the face's, though faces at an edge of many are looked at once for all.
+TEST(Touched, EdgesOfManyFaces) {
+  const WithThresholds set(grid::testing::with(&grid::Thresholds::few_faces_at_edge, 0u));
+  std::vector<Vector> points{{0, 0, -8}, {8, 0, 0}};
+  std::vector<Triangle> triangles;
+  for (const std::int64_t y : {-4, -1, 2})
+    for (const std::uint32_t end : {0, 1}) {
+      const std::int64_t x = end == 0 ? -4 : 4;
+      const auto p = static_cast<std::uint32_t>(points.size());
+      points.insert(points.end(), {{x, y, x}, {x, y + 1, x}});
+      constexpr std::uint32_t middle = 14;
+      const std::array<Triangle, 4> faces{
+          {{middle, end, p}, {middle, p + 1, end}, {middle, p, p + 1}, {end, p + 1, p}}};
+      for (const Triangle& t : faces) triangles.push_back(end == 0 ? t : Triangle{t[0], t[2], t[1]});
+    }
+  points.push_back({0, 0, 0});
+  const std::vector<Body> bodies{*mesh(points, triangles), box({-10, -10, -1}, {10, 10, 1})};
+
+  const Drawn drawn(bodies);
+  std::size_t edges = 0;
+  for (const TouchedId t : Ids<TouchedId>(drawn.touched.faces.size()))
+    for (const BoundaryEdge& e : drawn.touched.edges_of(t)) {
+      ++edges;
+      EXPECT_NE(e.other, drawn.touched.faces[t].plane);
+      for (const VertexId v : {e.from, e.to}) EXPECT_EQ(drawn.names.side(v, e.other), 0);
+    }
+  EXPECT_GE(edges, 3u * 3 * 6);
+}
+
 // Faces are maximal: no two of one operand lie on one oriented plane and share an edge of exactly two faces.
 TEST(Touched, FacesAreMaximal) {
   for_families(0x70C4, 40, [](Solids& solids, Random&) {

@@ -81,5 +81,39 @@ TEST(Evaluator, FollowsChangesOfWindingNumbers) {
   EXPECT_GT(changes, case_count(200));
 }
 
+// Deep trees of any rules, with a few nodes on each level: as above.
+TEST(Evaluator, FollowsChangesInDeepTrees) {
+  std::size_t changes = 0;
+  for (std::uint64_t number = 0; number < case_count(60); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xE9A2, number);
+    Expression expression;
+    const auto rule = [&] { return random.one_in(2) ? Rule::odd : random.one_in(2) ? Rule::any : Rule::all; };
+    const std::uint32_t depth = 1 + static_cast<std::uint32_t>(random.below(40)), operands = 2 * depth;
+    std::uint32_t parent = expression.add({rule(), random.one_in(2), 0, none});
+    for (std::uint32_t level = 0; level < depth; ++level) {
+      std::uint32_t next = parent;
+      for (std::uint64_t left = random.below(4); left > 0; --left)
+        expression.add({Rule::operand, random.one_in(2), static_cast<std::uint32_t>(random.below(operands)), parent});
+      for (std::uint64_t left = 1 + random.below(2); left > 0; --left)
+        next = expression.add({rule(), random.one_in(2), 0, parent});
+      parent = next;
+    }
+    Evaluator evaluator(expression, operands);
+    std::vector<int> winding(operands);
+    bool before = evaluator.value();
+    for (int step = 0; step < 200; ++step) {
+      const auto o = static_cast<std::uint32_t>(random.below(operands));
+      const int by = static_cast<int>(random.between(-1, 1));
+      winding[o] += by;
+      evaluator.add(o, by);
+      ASSERT_EQ(evaluator.value(), holds(expression, [&](std::uint32_t i) { return winding[i] > 0; }));
+      changes += evaluator.value() != before;
+      before = evaluator.value();
+    }
+  }
+  EXPECT_GT(changes, 2 * case_count(60));
+}
+
 }  // namespace
 }  // namespace quoin::booleans::testing

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "booleans/pairs/triangle_pair.h"
 #include "tests/booleans/pairs/in_parts.h"
@@ -44,15 +45,18 @@ struct Searched {
   /// Any pairs of places.
   static bool is_skipped(std::uint32_t i, std::uint32_t j) { return (i + j) % 3 == 0; }
 
+  template <class Skip>
+  FacePairs found(BoxTree::Pairs pairs, InParts in_parts, Skip skip) const {
+    const auto wanted = [&](std::uint32_t i, std::uint32_t j) { return meet(i, j); };
+    return PairSearch(faces, tree, in_parts, skip, wanted).run(pairs);
+  }
   FacePairs found(BoxTree::Pairs pairs, InParts in_parts) const {
-    const auto skip = [](std::uint32_t i, std::uint32_t block) {
+    return found(pairs, in_parts, [](std::uint32_t i, std::uint32_t block) {
       unsigned lanes = 0;
       for (std::uint32_t j = 0; j < BoxBlock::width; ++j)
         lanes |= static_cast<unsigned>(is_skipped(i, BoxBlock::width * block + j)) << j;
       return lanes;
-    };
-    const auto wanted = [&](std::uint32_t i, std::uint32_t j) { return meet(i, j); };
-    return PairSearch(faces, tree, in_parts, skip, wanted).run(pairs);
+    });
   }
   /// The same, without order.
   FacePairs by_all(BoxTree::Pairs pairs) const {
@@ -108,6 +112,41 @@ TEST(PairSearch, FindsWhatMeetsAndIsNotSkipped) {
     }
   }
   EXPECT_GT(meeting, 50 * case_count(60));
+}
+
+// Small triangles of several solids on one plane, of which nodes of all levels are passed over: each that meets a
+// foreign one has a pair.
+TEST(PairSearch, AllThatMeetOnOnePlaneAreNamed) {
+  for (std::uint64_t number = 0; number < case_count(200); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0x9A13, number);
+    std::vector<Body> bodies(2 + random.below(2));
+    const std::int64_t size = random.between(20, 60);
+    for (Body& body : bodies)
+      for (std::uint64_t left = 60 + random.below(120); left > 0; --left) {
+        const auto x = static_cast<std::int32_t>(random.between(0, size)),
+                   y = static_cast<std::int32_t>(random.between(0, size));
+        const auto first = static_cast<std::uint32_t>(body.grid_points.size());
+        for (const exact::GridPoint& p : {exact::GridPoint{{x, y, 0}}, {{x + 1, y, 0}}, {{x, y + 1, 0}}})
+          body.grid_points.push_back(p);
+        body.triangles.push_back({first, first + 1, first + 2});
+      }
+    const Searched searched(bodies);
+
+    grid::Thresholds t = grid::thresholds();
+    t.crowded_blocks = t.crowded_nodes = 0;
+    t.stretch = 1;  // blocks are looked at before the next nodes are
+    const WithThresholds set(t);
+    std::set<std::uint32_t> named;
+    for (const FacePair& p : searched.found(BoxTree::Pairs::foreign, InParts::one_each, skip_nothing))
+      named.insert({p[0].value, p[1].value});
+    for (std::uint32_t i = 0; i < searched.faces.size(); ++i)
+      for (std::uint32_t j = i + 1; j < searched.faces.size(); ++j) {
+        const bool near = searched.tree.box(i).meets(searched.tree.box(j));
+        if (!near || searched.faces[i].body == searched.faces[j].body || !searched.meet(i, j)) continue;
+        EXPECT_TRUE(named.contains(searched.tree.ids()[i]) && named.contains(searched.tree.ids()[j]));
+      }
+  }
 }
 
 TEST(PairSearch, FindsNothingAmongNothing) {

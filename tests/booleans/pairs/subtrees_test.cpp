@@ -240,6 +240,81 @@ TEST(Subtrees, WhatStandsOnTheEdgesOfAFlatFan) {
   }
 }
 
+/// The triangles of a closed polygon's edges with two points, each of which may be one of its corners.
+Body double_cone(const std::vector<Vector>& rim, const Vector& hub, const Vector& apex) {
+  std::vector<Vector> points = rim;
+  const auto n = static_cast<std::uint32_t>(rim.size());
+  points.insert(points.end(), {hub, apex});
+  std::vector<Triangle> triangles;
+  exact::int128 volume = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    triangles.insert(triangles.end(), {{n, j, i}, {n + 1, i, j}});
+    volume += determinant(rim[i] - hub, rim[j] - hub, apex - hub);
+  }
+  const Body body = *mesh(points, triangles);
+  return volume > 0 ? body : inside_out(body);
+}
+
+Vector on_circle(std::int64_t radius, double turn) {
+  const auto r = static_cast<double>(radius);
+  return {std::llround(r * std::cos(turn)), std::llround(r * std::sin(turn)), 0};
+}
+std::vector<Vector> circle(const Vector& centre, std::int64_t radius, int n) {
+  std::vector<Vector> points;
+  for (int i = 0; i < n; ++i) points.push_back(centre + on_circle(radius, 2 * std::numbers::pi * i / n));
+  return points;
+}
+
+/// The union with all passed over that can be equals the union with nothing passed over.
+///
+/// Of four solids, by the places that their faces have in the tree: of the first, eight triangles lie on the plane of a
+/// flat region of the last one, so that all faces there have a pair. The second and the third touch the region from the
+/// other side, where they touch each other, and are passed over with each other first: so they have pairs, too. Then no
+/// pair is made of a face of the region and one of those that touch it.
+void expect_nothing_lost(const std::vector<Body>& solids) {
+  const auto result = [&](int crowded) {
+    grid::Thresholds t;
+    t.crowded_nodes = t.crowded_blocks = crowded;
+    const WithThresholds set(t);
+    return evaluated(solids, Expression::flat(Rule::any, static_cast<std::uint32_t>(solids.size())));
+  };
+  EXPECT_TRUE(same(result(0), result(64)));
+}
+
+constexpr std::int64_t reach = 1 << 16, height = 1 << 19;  // nodes of eight faces are sectors of what lies on z = 0
+
+// Two tips on the inner vertex of a flat fan: no pair tells the fan of it, but it is a hub.
+TEST(Subtrees, TipsOnTheMiddleOfAFlatFan) {
+  const Vector middle{0, 0, 0}, left{-40000, 0, -200000}, right{40000, 0, -200000}, aside{-15000, -15000, 0};
+  const std::vector<Vector> rim{{15000, -20000, 0},  {-20000, 15000, 0},  {-26000, 5000, 0},  {-30000, -5000, 0},
+                                {-30000, -20000, 0}, {-20000, -30000, 0}, {-5000, -30000, 0}, {5000, -26000, 0}};
+  expect_nothing_lost({double_cone(rim, aside, aside + Vector{0, 0, 300000}),
+                       double_cone(circle(right, 20000, 8), right, middle),
+                       double_cone(circle(left, 20000, 8), left, middle),
+                       double_cone(circle(middle, reach, 32), middle, {0, 0, height})});
+}
+
+// Two blades on a diagonal of a flat polygon, whose triangles are a fan from one of its ends: would faces be passed
+// over that have an edge in common, no pair would tell the polygon of the diagonal.
+TEST(Subtrees, BladesOnADiagonalOfAFlatPolygon) {
+  std::vector<Vector> polygon;
+  for (const int degrees : {200, 220, 235, 250, 270, 285, 300, 330, 0, 15, 40, 60, 75, 90, 105, 120, 140, 180})
+    polygon.push_back(on_circle(reach, degrees * std::numbers::pi / 180));
+  const Vector from = polygon[0], to = polygon[9];
+
+  const auto blade = [&](int side) {
+    std::vector<Vector> rim;
+    for (const std::int64_t k : {3, 4, 5, 6}) rim.push_back({side * k * -3000, side * k * 9500, -270000 + 10000 * k});
+    rim.push_back(to);
+    return double_cone(rim, from, to);
+  };
+  const std::vector<Vector> rim{{-30000, -15000, 0}, {-30000, -20000, 0}, {-20000, -30000, 0}, {-10000, -35000, 0},
+                                {0, -35000, 0},      {10000, -30000, 0},  {20000, -20000, 0},  {20000, 0, 0}};
+  expect_nothing_lost({double_cone(rim, {0, -15000, 0}, {0, -15000, 300000}), blade(1), blade(-1),
+                       double_cone(polygon, from, {0, 0, height})});
+}
+
 // Solids that stand on a flat fan, on its hub and its inner edges: with what is passed over as without.
 TEST(Subtrees, WhatStandsOnFlatFans) {
   for (std::uint64_t number = 0; number < case_count(40); ++number) {
