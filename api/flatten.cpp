@@ -193,6 +193,15 @@ class SharedTerms {
   std::vector<const Expression*> order_, large_;
 };
 
+/// Has the expression, written out, so few nodes that none of its terms has many leaves?
+bool is_small(const Expression& expression) {
+  std::vector<const ExpressionNode*> nodes{Access::node(expression)};
+  for (std::size_t i = 0; i < nodes.size() && nodes.size() <= grid::thresholds().few_leaves; ++i)
+    if (nodes[i])
+      for (const Expression& below : nodes[i]->terms) nodes.push_back(Access::node(below));
+  return nodes.size() <= grid::thresholds().few_leaves;
+}
+
 }  // namespace
 
 Flattened flattened(const Expression& expression, const KnownTerms& known) {
@@ -200,6 +209,7 @@ Flattened flattened(const Expression& expression, const KnownTerms& known) {
 }
 
 Result<std::vector<const Expression*>> large_shared_terms(const Expression& expression) {
+  if (is_small(expression)) return std::vector<const Expression*>();
   return SharedTerms().run(expression);
 }
 

@@ -31,11 +31,13 @@ class Adjacency {
     // From the end with fewer triangles: the hub of a fan has them all.
     const bool turned = !knows(u) || (knows(v) && triangle_count(v) < triangle_count(u));
     const std::uint32_t at = turned ? v : u, to = turned ? u : v;
-    for_triangles(at, [&](std::uint32_t t, std::size_t corner) {
-      const auto& c = body_.triangles[t];
-      if (c[(corner + 1) % 3] == to) visit(t, !turned);
-      if (c[(corner + 2) % 3] == to) visit(t, turned);
-    });
+    if (body_.is_grid(at))
+      for (const std::uint32_t c : corners_[bucket(at)]) {
+        const std::uint32_t t = c / 3, k = c % 3;
+        const auto& corners = body_.triangles[t];
+        if (corners[k < 2 ? k + 1 : 0] == to) visit(t, !turned);
+        if (corners[k > 0 ? k - 1 : 2] == to) visit(t, turned);
+      }
     for_polygon_edges(at, [&](const PolygonEdge& e) {
       if (e.to == to) visit(e.face, e.forward != turned);
     });
@@ -52,11 +54,6 @@ class Adjacency {
   /// The bucket of a known vertex.
   std::uint32_t bucket(std::uint32_t v) const { return is_complete_ ? v : known_[v]; }
   std::size_t triangle_count(std::uint32_t u) const { return body_.is_grid(u) ? corners_[bucket(u)].size() : 0; }
-  template <class Visit>
-  void for_triangles(std::uint32_t u, Visit&& visit) const {
-    if (!body_.is_grid(u)) return;
-    for (const std::uint32_t c : corners_[bucket(u)]) visit(c / 3, c % 3);
-  }
   template <class Visit>
   void for_polygon_edges(std::uint32_t u, Visit&& visit) const {
     auto at = std::lower_bound(edges_.begin(), edges_.end(), u,

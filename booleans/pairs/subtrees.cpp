@@ -157,6 +157,10 @@ Subtrees::Node& Subtrees::node(std::size_t level, std::uint32_t x) {
 }
 
 bool Subtrees::has_corner(std::uint32_t i, const GridPoint& p) const {
+  if (const auto& [body, face] = faces_[i]; faces_[i].is_raw()) {
+    const auto& t = body->triangles[face];
+    return body->grid_points[t[0]] == p || body->grid_points[t[1]] == p || body->grid_points[t[2]] == p;
+  }
   bool found = false;
   if (has_grid_corners(i)) for_corners(i, [&](const GridPoint& q) { found = found || p == q; });
   return found;

@@ -64,14 +64,16 @@ struct Thresholds {
   int crowded_nodes = 32;
   /// Edges of more faces than this are looked at once for all of them.
   std::uint32_t few_faces_at_edge = 8;
+  /// Blocks of more faces than this in all are compared as a whole before their faces are.
+  std::size_t few_faces = 64;
 
   static constexpr Thresholds smallest() {
-    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0, 0};
+    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0, 0, 0};
   }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
-    return {all, all, all, all, all, 64,  64,  all, all, all,     24, all,
-            all, all, all, all, all, all, all, 64,  all, 1 << 12, all, 64, all};
+    return {all, all, all, all, all, 64,  64, all, all,     all, 24, all, all,
+            all, all, all, all, all, all, 64, all, 1 << 12, all, 64, all, all};
   }
   /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
   static constexpr Thresholds patched() {
