@@ -73,7 +73,12 @@ void glue_over_vertices(PatchPart& part) {
   // Where there are far chunks: of near ones, and of their vertices while these are fewer than all chunks.
   Array<BoxTree::Item> boxes, points;
   grid::Numbering near(body.vertex_count());
-  part.has_far = std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; });
+  std::size_t near_faces = 0;
+  for (const OperandChunk& c : chunks) {
+    part.has_far = part.has_far || c.far;
+    if (!c.far) near_faces += c.end.value - c.begin.value;
+  }
+  part.faces.reserve(near_faces);
   const std::size_t most_points = part.has_far ? chunks.size() : 0;
   for (const OperandChunk& c : chunks) {
     if (c.far) continue;
