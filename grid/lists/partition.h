@@ -18,6 +18,9 @@ class Partition {
     parent_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) parent_[i] = i;
   }
+  std::size_t size() const { return parent_.size(); }
+  /// One more member, by itself.
+  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;

@@ -25,7 +25,7 @@ struct Thresholds {
   /// Fewer boxes than this are searched without cells.
   std::size_t few_boxes = 256;
   /// Pairs of blocks with more pairs of boxes that meet are compared by slabs first.
-  int crowded_blocks = 12;
+  int crowded_blocks = 24;
   /// More pairs of faces left between two slabs than this are compared along the slabs' line.
   int crowded_slabs = 16;
   /// Fewer keys than this are sorted by comparison, others by digits.
