@@ -169,7 +169,7 @@ bool Subtrees::has_corner(std::uint32_t i, const GridPoint& p) const {
 void Subtrees::find_hubs(Node& node) const {
   const auto first_without = [&](const GridPoint& p, const GridPoint& q) {
     std::uint32_t i = node.begin;
-    while (i < node.end && (has_corner(i, p) || has_corner(i, q))) ++i;
+    while (i < node.end && (has_corner(i, p) || (q != p && has_corner(i, q)))) ++i;
     return i;
   };
   for_corners(node.begin, [&](const GridPoint& p) {

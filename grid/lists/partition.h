@@ -26,6 +26,7 @@ class Partition {
     return i;
   }
   void unite(std::uint32_t i, std::uint32_t j) {
+    if (parent_[i] == parent_[j]) return;
     i = find(i);
     j = find(j);
     if (i < j)
