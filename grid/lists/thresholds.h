@@ -61,7 +61,7 @@ struct Thresholds {
   /// Subtrees of at most so many leaves, of an expression that has more, are evaluated by themselves.
   std::size_t subtree = 16;
   /// Nodes of a tree of boxes with more pairs of parts than this whose boxes meet are compared as a whole first.
-  int crowded_nodes = 32;
+  int crowded_nodes = 48;
   /// Edges of more faces than this are looked at once for all of them.
   std::uint32_t few_faces_at_edge = 8;
   /// Blocks of more faces than this in all are compared as a whole before their faces are.
