@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "grid/lists/array.h"
 #include "grid/lists/thresholds.h"
 
 namespace quoin {
@@ -15,7 +16,14 @@ namespace {
 
 class Flattener {
  public:
-  explicit Flattener(const KnownTerms& known) : known_(known) {}
+  explicit Flattener(const KnownTerms& known) : known_(known) {
+    constexpr std::size_t usual = 8;
+    nodes().reserve(usual);
+    pending_.reserve(usual);
+    is_half_space_.reserve(usual);
+    out_.solids.reserve(usual / 2);
+    out_.solid_places.reserve(usual / 2);
+  }
 
   Flattened run(const ExpressionNode* root) {
     pending_.push_back({root, false, none});
@@ -38,6 +46,8 @@ class Flattener {
     bool negated;
     std::uint32_t parent;
   };
+  template <class Key>
+  using Numbers = std::map<Key, std::uint32_t, std::less<Key>, grid::LargePages<std::pair<const Key, std::uint32_t>>>;
 
   std::vector<booleans::Expression::Node>& nodes() { return out_.expression.nodes; }
 
@@ -92,7 +102,7 @@ class Flattener {
 
   /// The number of a leaf's operand, which is listed if it is new.
   template <class Key, class Value>
-  std::uint32_t number(std::map<Key, std::uint32_t>& known, Key key, std::vector<Value>& list, const Value& value,
+  std::uint32_t number(Numbers<Key>& known, Key key, std::vector<Value>& list, const Value& value,
                        std::vector<std::uint32_t>& places) {
     const auto [at, is_new] = known.emplace(key, static_cast<std::uint32_t>(list.size()));
     if (is_new) {
@@ -104,11 +114,11 @@ class Flattener {
   }
 
   const KnownTerms& known_;
-  std::vector<Item> pending_;
-  std::vector<bool> is_half_space_;  // by node
-  std::uint32_t leaves_ = 0;         // so far
-  std::map<const booleans::Body*, std::uint32_t> solids_;
-  std::map<const ExpressionNode*, std::uint32_t> half_spaces_;
+  grid::Array<Item> pending_;
+  grid::Array<std::uint8_t> is_half_space_;  // by node
+  std::uint32_t leaves_ = 0;                 // so far
+  Numbers<const booleans::Body*> solids_;
+  Numbers<const ExpressionNode*> half_spaces_;
   Flattened out_;
 };
 
@@ -193,6 +203,18 @@ class SharedTerms {
   std::vector<const Expression*> order_, large_;
 };
 
+/// Has the expression, written out, so few nodes that none of its terms has many leaves?
+bool is_small(const Expression& expression) {
+  constexpr std::size_t usual = 16;
+  grid::Array<const ExpressionNode*> nodes;
+  nodes.reserve(usual);
+  nodes.push_back(Access::node(expression));
+  for (std::size_t i = 0; i < nodes.size() && nodes.size() <= grid::thresholds().few_leaves; ++i)
+    if (nodes[i])
+      for (const Expression& below : nodes[i]->terms) nodes.push_back(Access::node(below));
+  return nodes.size() <= grid::thresholds().few_leaves;
+}
+
 }  // namespace
 
 Flattened flattened(const Expression& expression, const KnownTerms& known) {
@@ -200,6 +222,7 @@ Flattened flattened(const Expression& expression, const KnownTerms& known) {
 }
 
 Result<std::vector<const Expression*>> large_shared_terms(const Expression& expression) {
+  if (is_small(expression)) return std::vector<const Expression*>();
   return SharedTerms().run(expression);
 }
 

@@ -14,10 +14,13 @@ namespace {
 
 /// Whether files can state the number.
 bool is_short(const Rational& v) {
-  const auto fits = [](const exact::Integer& n) {
-    return exact::Integer(abs(n)).str().size() <= io::max_lattice_digits;
+  const auto fits = [](mpz_srcptr n) {
+    const std::size_t digits = mpz_sizeinbase(n, 10);  // perhaps one too many
+    if (digits <= io::max_lattice_digits) return true;
+    return digits == io::max_lattice_digits + 1 &&
+           exact::Integer(abs(exact::Integer(n))).str().size() <= io::max_lattice_digits;
   };
-  return fits(numerator(v)) && fits(denominator(v));
+  return fits(mpq_numref(v.backend().data())) && fits(mpq_denref(v.backend().data()));
 }
 
 Error bad_number(std::string message, std::string where) {
@@ -25,13 +28,13 @@ Error bad_number(std::string message, std::string where) {
 }
 
 Result<Rational> number(std::string_view text, const std::string& name, const std::string& where) {
-  const auto value = exact::parse_rational(text);
+  auto value = exact::parse_rational(text);
   if (!value)
     return bad_number(
         "the " + name + " \"" + std::string(text.substr(0, 80)) + "\" is neither a decimal nor a rational p/q", where);
   if (!is_short(*value))
     return bad_number("the " + name + " has more than " + std::to_string(io::max_lattice_digits) + " digits", where);
-  return *value;
+  return *std::move(value);
 }
 
 Result<Rational> positive_step(std::string_view text) {
@@ -61,9 +64,9 @@ Grid::Grid(const Grid&) = default;
 Grid& Grid::operator=(const Grid&) = default;
 
 Result<Grid> Grid::with_step(std::string_view step) {
-  const auto s = positive_step(step);
+  auto s = positive_step(step);
   if (!s) return s.error();
-  return Access::grid({s.value()});
+  return Access::grid({std::move(s).value()});
 }
 
 Result<Grid> Grid::with_step_and_origin(std::string_view step, const std::array<std::string, 3>& origin) {

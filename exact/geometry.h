@@ -17,7 +17,9 @@ namespace quoin::exact {
 struct GridPoint {
   std::array<std::int32_t, 3> c;
   std::int32_t operator[](int k) const { return c[static_cast<std::size_t>(k)]; }
-  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+  friend bool operator==(const GridPoint& p, const GridPoint& q) {
+    return p.c[0] == q.c[0] && p.c[1] == q.c[1] && p.c[2] == q.c[2];  // = default calls memcmp
+  }
   friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
 };
 

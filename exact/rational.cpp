@@ -53,6 +53,16 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   return Rational(n, power_of_ten(static_cast<unsigned>(-scale)));
 }
 
+/// Of up to 18 digits and nothing else; such numbers need no memory.
+std::optional<std::int64_t> parse_short(std::string_view text) {
+  constexpr std::size_t most_digits = 18;
+  if (text.empty() || text.size() > most_digits || !std::all_of(text.begin(), text.end(), is_digit))
+    return std::nullopt;
+  std::int64_t n = 0;
+  for (const char c : text) n = n * 10 + (c - '0');
+  return n;
+}
+
 /// v rounded to `precision` bits, ties to even, with the least exponent of the format.
 double rounded(const Rational& v, int precision, int least_exponent) {
   if (v == 0) return 0.0;
@@ -90,7 +100,10 @@ double rounded(const Rational& v, int precision, int least_exponent) {
 std::optional<Rational> parse_rational(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return parse_decimal(text);
-  const auto n = parse_decimal(text.substr(0, slash)), d = parse_decimal(text.substr(slash + 1));
+  const std::string_view above = text.substr(0, slash), below = text.substr(slash + 1);
+  if (const auto n = parse_short(above), d = parse_short(below); n && d && *d != 0) return Rational(*n, *d);
+
+  const auto n = parse_decimal(above), d = parse_decimal(below);
   if (!n || !d || *d == 0) return std::nullopt;
   return Rational(*n / *d);
 }

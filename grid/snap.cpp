@@ -257,7 +257,9 @@ Result<Snapped> snap(std::span<const double> points, const Lattice& lattice) {
   result.points.resize(points.size() / 3);
 
   const auto a = affine(lattice);
-  const bool scaled = a && a->factor == 1 && a->denominator == 1 && lattice.origin == Lattice{}.origin;
+  const bool at_zero =
+      std::all_of(lattice.origin.begin(), lattice.origin.end(), [](const Rational& x) { return x.is_zero(); });
+  const bool scaled = a && a->factor == 1 && a->denominator == 1 && at_zero;
   Moves moves;
   if (scaled) {
     const double step = std::ldexp(1.0, a->exponent);

@@ -1,7 +1,5 @@
 #include "booleans/arrangement/contacts.h"
 
-#include <deque>
-
 #include "booleans/arrangement/line_trace.h"
 #include "booleans/pairs/directions.h"
 #include "grid/lists/buckets.h"
@@ -55,7 +53,11 @@ class Twins {
 /// Works through a range of pairs; keeps the points that it makes.
 class Worker {
  public:
-  Worker(const Touched& touched, const Names& names) : touched_(touched), names_(names), tracer_(touched, names) {}
+  Worker(const Touched& touched, const Names& names) : touched_(touched), names_(names), tracer_(touched, names) {
+    constexpr std::size_t usual = 16;
+    segments.reserve(usual);
+    tracer_.points.reserve(usual);
+  }
 
   struct End {
     NewVertex vertex;
@@ -180,7 +182,7 @@ class Worker {
     };
     bool in_f = on_f_.open, in_g = on_g_.open;
     bool is_open = false;
-    std::array<End, 2> open_from;  // on either plane
+    std::array<End, 2> open_from{};  // on either plane
     for (std::size_t i = 0, j = 0; i < f.size() || j < g.size();) {
       const int order = i == f.size()   ? 1
                         : j == g.size() ? -1
@@ -273,7 +275,8 @@ Contacts find_contacts(const Touched& touched, const Array<TouchedPair>& pairs, 
 
   // Fixed stretches, results in slots, points named in their order: the same ids for any number of threads.
   const std::size_t length = grid::long_stretch(pairs.size(), 512);
-  std::deque<Worker> workers;
+  std::vector<Worker> workers;
+  workers.reserve((pairs.size() + length - 1) / length);
   for (std::size_t i = 0; i < pairs.size(); i += length) workers.emplace_back(touched, names);
   grid::in_stretches(pairs.size(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -85,7 +85,7 @@ class LineTracer {
   };
   const Touched& touched_;
   const Names& names_;
-  std::array<Crossing, 256> crossings_;  // the last ones, by a hash
+  std::array<Crossing, 64> crossings_;  // the last ones, by a hash
 };
 
 /// The trace of the same line in the other direction.

@@ -29,16 +29,16 @@ struct PatchPart {
   void for_untouched(Visit&& visit) const {
     for (const OperandChunk& c : operands.chunks_of(operand)) for_untouched(c, visit);
   }
-  /// Puts a face into a patch, which gets the next number if it has none.
-  void assign(std::uint32_t f, std::uint32_t& patch) {
+  /// The number of a patch, which gets the next one if it has none.
+  std::uint32_t number(std::uint32_t& patch) {
     if (patch == none) patch = count++;
-    faces.push_back({f, patch});
+    return patch;
   }
 
   std::uint32_t count = 0;  // of patches
   bool has_far = false;     // the first one is that of far faces, which are not listed
   struct Assigned {
-    std::uint32_t face, patch;  // own numbers
+    std::uint32_t face, patch;  // own numbers; at first a vertex of the patch
   };
   Array<Assigned> faces;
   Array<CrowdedEdge> crowded;
@@ -72,36 +72,41 @@ void glue_over_vertices(PatchPart& part) {
   const auto chunks = part.operands.chunks_of(part.operand);
   // Where there are far chunks: of near ones, and of their vertices while these are fewer than all chunks.
   Array<BoxTree::Item> boxes, points;
+  std::size_t near_faces = 0;
+  for (const OperandChunk& c : chunks) {
+    part.has_far = part.has_far || c.far;
+    if (!c.far) near_faces += c.end.value - c.begin.value;
+  }
+  part.faces.reserve(near_faces);
+
   grid::Numbering near(body.vertex_count());
-  part.has_far = std::any_of(chunks.begin(), chunks.end(), [](const OperandChunk& c) { return c.far; });
+  grid::Partition parts(0);
   const std::size_t most_points = part.has_far ? chunks.size() : 0;
+  const auto number = [&](std::uint32_t v) {
+    const std::uint32_t n = near.add(v);
+    if (n == parts.size()) {
+      parts.add();
+      if (n < most_points) body.add_to(points.emplace_back().box, v);
+    }
+    return n;
+  };
   for (const OperandChunk& c : chunks) {
     if (c.far) continue;
     if (part.has_far) boxes.emplace_back().box = c.box;
     part.for_untouched(c, [&](std::uint32_t f) {
-      for (const std::uint32_t v : body.corners_of(f)) {
-        const std::uint32_t before = near.size();
-        if (near.add(v) == before && before < most_points) body.add_to(points.emplace_back().box, v);
-      }
+      const auto corners = body.corners_of(f);
+      const std::uint32_t first = number(corners[0]);
+      for (const std::uint32_t v : corners.subspan(1)) parts.unite(first, number(v));
+      part.faces.push_back({f, first});
     });
   }
-
-  grid::Partition parts(near.size());
-  for (const OperandChunk& c : chunks)
-    if (!c.far)
-      part.for_untouched(c, [&](std::uint32_t f) {
-        const auto corners = body.corners_of(f);
-        for (const std::uint32_t v : corners) parts.unite(near[corners[0]], near[v]);
-      });
 
   const std::uint32_t anchor =
       part.has_far ? join_over_far_faces(part, near, near.size() < chunks.size() ? points : boxes, parts) : none;
   if (part.has_far) ++part.count;
   Array<std::uint32_t> patch(near.size(), none);
   if (anchor != none) patch[parts.find(anchor)] = 0;
-  for (const OperandChunk& c : chunks)
-    if (!c.far)
-      part.for_untouched(c, [&](std::uint32_t f) { part.assign(f, patch[parts.find(near[body.corners_of(f)[0]])]); });
+  for (auto& [face, in] : part.faces) in = part.number(patch[parts.find(in)]);
 }
 
 void glue_over_edges(PatchPart& part) {
@@ -127,7 +132,7 @@ void glue_over_edges(PatchPart& part) {
   });
 
   Array<std::uint32_t> patch(body.face_count(), none);
-  part.for_untouched([&](std::uint32_t f) { part.assign(f, patch[parts.find(f)]); });
+  part.for_untouched([&](std::uint32_t f) { part.faces.push_back({f, part.number(patch[parts.find(f)])}); });
 }
 
 /// Adds the patches of one operand.

@@ -37,6 +37,8 @@ FacetId outer_facet(const Sheet& sheet, const Touched& touched, TouchedId face) 
 Sheets::Sheets(ById<SheetId, Sheet> sheets, Array<SheetLists> lists, const Touched& touched,
                const ById<PlaneId, SheetId>& sheet_of)
     : sheets_(std::move(sheets)), lists_(std::move(lists)) {
+  first_node_.reserve(sheets_.size() + 1);
+  first_element_.reserve(sheets_.size() + 1);
   for (const Sheet& s : sheets_) {
     first_node_.push_back(first_node_.back().value + static_cast<std::uint32_t>(s.facet_count()));
     first_element_.push_back(first_element_.back().value + static_cast<std::uint32_t>(s.elements.size()));
@@ -83,6 +85,7 @@ struct Plan {
   grid::Buckets<> faces, segments, points;  // by sheet
 
   Plan(const Touched& touched, const Contacts& contacts, std::size_t planes) : sheet_of(planes) {
+    plane.reserve(touched.faces.size());
     for (const TouchedFace& f : touched.faces)
       if (sheet_of[f.plane] == none) sheet_of[f.plane] = plane.add(f.plane);
 

@@ -112,6 +112,7 @@ class Collector {
     part.planes.reserve(4 * named);
     part.edges.reserve(4 * named);
     part.members.reserve(2 * named);
+    part.untouched.reserve(2 * named);
   }
 
   /// Knows one end of the edge. Regions that reach far make it complete.
@@ -136,6 +137,10 @@ class Collector {
     part.faces.back().box.add(box_of(f));
     part.members.push_back({f, t});
   }
+  /// Is the face one of the region that has begun?
+  bool is_member(std::uint32_t f) const {
+    return f != none && touched_of_[f] == TouchedId(static_cast<std::uint32_t>(part.faces.size() - 1));
+  }
   void end_region() {
     part.faces.back().edges_end = static_cast<std::uint32_t>(part.edges.size());
     part.faces.back().isolated_end = static_cast<std::uint32_t>(part.isolated.size());
@@ -153,10 +158,11 @@ class Collector {
       const std::uint32_t member = part.members[i].face;
       body_.for_edges(member, [&](std::uint32_t u, std::uint32_t v) {
         const std::uint32_t across = face_across(member, u, v);
-        if (!continues(across, u, v, plane))
-          part.edges.push_back({u, v, none, across});
-        else if (touched_of_[across] == none)
+        if (is_member(across)) return;
+        if (continues(across, u, v, plane))
           add_member(across);
+        else
+          part.edges.push_back({u, v, none, across});
       });
     }
     if (!hubs_.empty()) add_hubs(first);
@@ -287,6 +293,7 @@ void add_part(const Operands& operands, OperandId operand, const TouchedPart& pa
   for (const exact::Plane& p : part.planes) plane_id.push_back(names.planes.id(p));
   const auto name = [&](std::uint32_t v) { return names.name(operands[operand], operand, v); };
 
+  names.operands[operand].listed.reserve(part.edges.size());
   const TouchedId first_face = out.faces.next_id();
   const auto first_edge = static_cast<std::uint32_t>(out.edges.size()),
              first_isolated = static_cast<std::uint32_t>(out.isolated.size()),
@@ -332,7 +339,8 @@ ById<OperandId, Array<std::uint32_t>> named_faces(const Operands& operands, cons
       if (many && is_listed[id]) continue;
       if (many) is_listed.at(id) = 1;
       const OwnFace f = operands.own(id);
-      named[f.operand].push_back(f.face);
+      auto& list = named[f.operand];
+      if (list.empty() || list.back() != f.face) list.push_back(f.face);  // pairs of one face follow each other
     }
 
   for (auto& list : named) {
@@ -376,18 +384,20 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
     out.adjacency[o] = std::move(collector.adjacency);
   });
 
-  std::size_t faces = 0, edges = 0, members = 0, planes = 0;
+  std::size_t faces = 0, edges = 0, members = 0, planes = 0, untouched = 0;
   for (const TouchedPart& p : parts) {
     faces += p.faces.size();
     edges += p.edges.size();
     members += p.members.size();
     planes += p.planes.size();
+    untouched += p.untouched.size();
   }
   names.planes.reserve(planes);
   names.vertices.reserve(edges / 2, 0);
   out.faces.reserve(faces);
   out.edges.reserve(edges);
   out.members.reserve(members);
+  out.untouched.reserve(untouched);
   for (const OperandId o : operands.ids()) {
     add_part(operands, o, parts[o], names, out);
     parts[o] = {};

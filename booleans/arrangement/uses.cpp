@@ -75,6 +75,7 @@ grid::Buckets<Use> distinct(const grid::Buckets<Use>& uses) {
 Uses collect_uses(const Operands& operands, const Touched& touched, const Sheets& sheets, Names& names) {
   Uses uses{glue(operands, touched, sheets), {}};
   Array<PatchUse> patches;
+  patches.reserve(touched.untouched.size());
   for (const OperandId o : operands.ids())
     for (const CrowdedEdge& e : uses.patches.crowded[o]) {
       const VertexId from = names.name(operands[o], o, e.from), to = names.name(operands[o], o, e.to);

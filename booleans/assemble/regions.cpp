@@ -17,11 +17,15 @@ class Merger {
 
   /// Room for what sheets may leave; what is not written costs no memory.
   void reserve(Ids<SheetId> sheets) {
-    std::size_t facets = 0, half_edges = 0;
+    std::size_t facets = 0, half_edges = 0, most = 0;
     for (const SheetId s : sheets) {
       facets += a_.sheets[s].facet_count();
       half_edges += a_.sheets[s].half_edges();
+      most = std::max<std::size_t>(most, a_.sheets[s].half_edges());
     }
+    corners_.reserve(most);
+    parts_.reserve(most);
+    loops_.reserve(most / 2);
     regions.planes.reserve(facets);
     regions.loops.reserve(facets, facets, half_edges);
   }

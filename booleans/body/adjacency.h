@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "booleans/body/body.h"
@@ -29,13 +31,15 @@ class Adjacency {
   void faces_at_edge(std::uint32_t u, std::uint32_t v, Visit&& visit) const {
     assert(knows(u) || knows(v));
     // From the end with fewer triangles: the hub of a fan has them all.
-    const bool turned = !knows(u) || (knows(v) && triangle_count(v) < triangle_count(u));
+    const auto of_u = triangles_at(u), of_v = triangles_at(v);
+    const bool turned = !of_u || (of_v && of_v->size() < of_u->size());
     const std::uint32_t at = turned ? v : u, to = turned ? u : v;
-    for_triangles(at, [&](std::uint32_t t, std::size_t corner) {
-      const auto& c = body_.triangles[t];
-      if (c[(corner + 1) % 3] == to) visit(t, !turned);
-      if (c[(corner + 2) % 3] == to) visit(t, turned);
-    });
+    for (const std::uint32_t c : *(turned ? of_v : of_u)) {
+      const std::uint32_t t = c / 3, k = c % 3;
+      const auto& corners = body_.triangles[t];
+      if (corners[k < 2 ? k + 1 : 0] == to) visit(t, !turned);
+      if (corners[k > 0 ? k - 1 : 2] == to) visit(t, turned);
+    }
     for_polygon_edges(at, [&](const PolygonEdge& e) {
       if (e.to == to) visit(e.face, e.forward != turned);
     });
@@ -49,13 +53,13 @@ class Adjacency {
     bool forward;
   };
 
-  /// The bucket of a known vertex.
+  /// The bucket of a vertex, none where it is not known.
   std::uint32_t bucket(std::uint32_t v) const { return is_complete_ ? v : known_[v]; }
-  std::size_t triangle_count(std::uint32_t u) const { return body_.is_grid(u) ? corners_[bucket(u)].size() : 0; }
-  template <class Visit>
-  void for_triangles(std::uint32_t u, Visit&& visit) const {
-    if (!body_.is_grid(u)) return;
-    for (const std::uint32_t c : corners_[bucket(u)]) visit(c / 3, c % 3);
+  /// The corners of triangles there; nothing of a vertex that is not known.
+  std::optional<std::span<const std::uint32_t>> triangles_at(std::uint32_t v) const {
+    const std::uint32_t b = bucket(v);
+    if (b == none) return std::nullopt;
+    return body_.is_grid(v) ? corners_[b] : std::span<const std::uint32_t>();
   }
   template <class Visit>
   void for_polygon_edges(std::uint32_t u, Visit&& visit) const {

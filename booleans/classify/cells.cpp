@@ -15,7 +15,11 @@ SideId before(const Use& u) { return opposite(after(u)); }
 /// Unites the sides that look at each other across the fan of each edge, and the nodes that hang together there.
 class Fans {
  public:
-  Fans(const Arrangement& a, grid::Partition& sides, grid::Partition& nodes) : a_(a), sides_(sides), nodes_(nodes) {}
+  Fans(const Arrangement& a, grid::Partition& sides, grid::Partition& nodes) : a_(a), sides_(sides), nodes_(nodes) {
+    order_.reserve(usual_fan);
+    planes_.reserve(usual_fan);
+    fan_.reserve(usual_fan);
+  }
 
   void add(VertexId low, std::span<const Use> uses) {
     for (const Use& u : uses.subspan(1)) nodes_.unite(uses[0].node().value, u.node().value);
@@ -26,6 +30,8 @@ class Fans {
   }
 
  private:
+  static constexpr std::size_t usual_fan = 8;
+
   /// Of the node's front, to be asked for signs.
   exact::Plane plane(const Use& u) const {
     if (u.is_facet()) return a_.names.planes[u.plane()];

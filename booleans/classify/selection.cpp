@@ -104,6 +104,7 @@ CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expres
     std::uint32_t next;  // into the cell's sides
   };
   Array<Visit> stack;
+  stack.reserve(16);
   const auto enter = [&](CellId cell, SideId through) {
     values.set(cell, label);
     stack.push_back({cell, through, 0});

@@ -29,7 +29,7 @@ bool strictly_on_one_side(const exact::Plane& plane, const Body& body, std::uint
 template <class VisitPart>
 Array<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box& all, std::size_t factor,
                                 VisitPart visit_part) {
-  constexpr std::size_t most_samples = 128;
+  constexpr std::size_t most_samples = 1024;
   const std::size_t length = grid::stretch(256);
   if (count < grid::thresholds().few_boxes) {  // not worth it
     Array<BoxTree::Item> items;
@@ -38,20 +38,21 @@ Array<BoxTree::Item> near_items(std::size_t parts, std::size_t count, const Box&
     return items;
   }
 
-  const std::size_t stride = 1 + parts / most_samples;
-  Array<Box> sample;
-  for (std::size_t i = 0; i < parts; i += stride)
-    visit_part(i, [&](const BoxTree::Item& item) { sample.push_back(item.box); });
-  if (sample.empty()) sample.push_back(all);
-
-  CellFilter cells(all, sample, count / sample.size() + 1, factor * count);
   Array<Array<BoxTree::Item>> kept(parts / length + 1);
   grid::in_stretches(parts, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      visit_part(i, [&](const BoxTree::Item& item) {
-        cells.add(item.box, item.group);
-        kept[s].push_back(item);
-      });
+      visit_part(i, [&](const BoxTree::Item& item) { kept[s].push_back(item); });
+  });
+
+  const std::size_t stride = 1 + count / most_samples;
+  Array<Box> sample;
+  for (const auto& list : kept)
+    for (std::size_t i = 0; i < list.size(); i += stride) sample.push_back(list[i].box);
+  if (sample.empty()) sample.push_back(all);
+
+  CellFilter cells(all, sample, count / sample.size() + 1, factor * count);
+  grid::in_tasks(kept.size(), count, [&](std::size_t s) {
+    for (const BoxTree::Item& item : kept[s]) cells.add(item.box, item.group);
   });
   grid::in_tasks(kept.size(), count, [&](std::size_t s) {
     std::erase_if(kept[s], [&](const BoxTree::Item& item) { return !cells.is_shared(item.box); });

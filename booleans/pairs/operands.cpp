@@ -4,6 +4,9 @@ namespace quoin::booleans {
 
 Operands::Operands(std::vector<const Body*> list, bool clean) : base{FaceId(0)}, first_chunk{0}, are_clean(clean) {
   bodies.assign(list.begin(), list.end());
+  bounds.reserve(list.size());
+  base.reserve(list.size() + 1);
+  first_chunk.reserve(list.size() + 1);
   Array<Chunk> made;
 
   for (const OperandId o : ids()) {

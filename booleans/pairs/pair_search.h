@@ -65,7 +65,7 @@ class PairSearch {
     });
     for (BlockPair& p : waiting_) {
       if (std::popcount(p.lanes) <= grid::thresholds().crowded_blocks) continue;
-      if (p.x != p.y && passed(1, p.x, p.y))
+      if (p.x != p.y && faces_.size() > grid::thresholds().few_faces && passed(1, p.x, p.y))
         p.lanes = 0;
       else
         slabs_.need(p.x), slabs_.need(p.y);

@@ -157,6 +157,10 @@ Subtrees::Node& Subtrees::node(std::size_t level, std::uint32_t x) {
 }
 
 bool Subtrees::has_corner(std::uint32_t i, const GridPoint& p) const {
+  if (const auto& [body, face] = faces_[i]; faces_[i].is_raw()) {
+    const auto& t = body->triangles[face];
+    return body->grid_points[t[0]] == p || body->grid_points[t[1]] == p || body->grid_points[t[2]] == p;
+  }
   bool found = false;
   if (has_grid_corners(i)) for_corners(i, [&](const GridPoint& q) { found = found || p == q; });
   return found;
@@ -165,7 +169,7 @@ bool Subtrees::has_corner(std::uint32_t i, const GridPoint& p) const {
 void Subtrees::find_hubs(Node& node) const {
   const auto first_without = [&](const GridPoint& p, const GridPoint& q) {
     std::uint32_t i = node.begin;
-    while (i < node.end && (has_corner(i, p) || has_corner(i, q))) ++i;
+    while (i < node.end && (has_corner(i, p) || (q != p && has_corner(i, q)))) ++i;
     return i;
   };
   for_corners(node.begin, [&](const GridPoint& p) {

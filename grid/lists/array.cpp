@@ -24,27 +24,30 @@ std::size_t rounded_up(std::size_t bytes) { return (bytes + large_page - 1) / la
 class SmallBlocks {
  public:
   static constexpr std::size_t largest = 4096;
+  static bool has_class(std::size_t bytes) { return bytes - 1 < largest; }
 
+  /// The thread's, null before it keeps some and when it has ended.
+  static inline constinit thread_local SmallBlocks* mine = nullptr;
+
+  /// Null when none is kept.
   void* take(std::size_t bytes) {
     const unsigned c = size_class(bytes);
-    if (!first_[c]) return make(bytes);
     Block* const block = first_[c];
+    if (!block) return nullptr;
     first_[c] = block->next;
     --count_[c];
     return block;
   }
   /// A block of the same size, by itself: any thread may keep it when it is released.
-  static void* make(std::size_t bytes) {
-    const std::size_t size = std::size_t{1} << size_class(bytes);
-    return ::operator new(size);
-  }
+  static void* make(std::size_t bytes) { return ::operator new (std::size_t{1} << size_class(bytes)); }
   void give(void* memory, std::size_t bytes) noexcept {
     const unsigned c = size_class(bytes);
-    if (count_[c] == most) return ::operator delete(memory);
+    if (count_[c] == most(c)) return ::operator delete(memory);
     first_[c] = new (memory) Block{first_[c]};
     ++count_[c];
   }
   ~SmallBlocks() {
+    mine = nullptr;
     for (Block* block : first_)
       while (block) {
         Block* const next = block->next;
@@ -57,11 +60,11 @@ class SmallBlocks {
   struct Block {
     Block* next;
   };
-  static constexpr std::uint32_t most = 32;
+  /// Of a class: 16 kB, and not too few.
+  static constexpr std::uint32_t most(unsigned c) { return std::max(32u, (1u << 14) >> c); }
 
-  static unsigned size_class(std::size_t bytes) {
-    return static_cast<unsigned>(std::bit_width(std::max<std::size_t>(bytes, 32) - 1));
-  }
+  /// Blocks of class c have 2^c bytes. Precondition: bytes > 0.
+  static unsigned size_class(std::size_t bytes) { return static_cast<unsigned>(std::bit_width((bytes - 1) | 31)); }
 
   std::array<Block*, 13> first_ = {};
   std::array<std::uint32_t, 13> count_ = {};
@@ -72,7 +75,9 @@ SmallBlocks* kept_blocks() {
 #ifdef __SANITIZE_ADDRESS__
   return nullptr;
 #else
-  return kept_by_thread<SmallBlocks>();
+  if (!SmallBlocks::mine) [[unlikely]]
+    SmallBlocks::mine = kept_by_thread<SmallBlocks>();
+  return SmallBlocks::mine;
 #endif
 }
 
@@ -90,9 +95,10 @@ void prefer_large_pages(void* block, std::size_t bytes) noexcept {
 }
 
 void* allocate(std::size_t bytes) {
-  if (bytes <= SmallBlocks::largest) {
+  if (SmallBlocks::has_class(bytes)) {
     SmallBlocks* const kept = kept_blocks();
-    return kept ? kept->take(bytes) : SmallBlocks::make(bytes);
+    void* const block = kept ? kept->take(bytes) : nullptr;
+    return block ? block : SmallBlocks::make(bytes);
   }
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) {
@@ -105,7 +111,7 @@ void* allocate(std::size_t bytes) {
 }
 
 void release(void* block, std::size_t bytes) noexcept {
-  if (bytes <= SmallBlocks::largest)
+  if (SmallBlocks::has_class(bytes))
     if (SmallBlocks* const kept = kept_blocks()) return kept->give(block, bytes);
 #ifdef MADV_HUGEPAGE
   if (bytes >= large_block) return ::operator delete (block, std::align_val_t{large_page});

@@ -20,13 +20,13 @@ class Paged {
  public:
   Paged() = default;
   explicit Paged(std::size_t size, T usual = T())
-      : size_(size), start_((size + length - 1) / length, absent), usual_(start_.size(), usual) {}
+      : size_(size), pages_((size + length - 1) / length, Page{absent, usual}) {}
 
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const {
     assert(i < size_);
-    const std::uint32_t start = start_[i / length];
-    return start == absent ? usual_[i / length] : items_[start + i % length];
+    const Page& page = pages_[i / length];
+    return page.start == absent ? page.usual : items_[page.start + i % length];
   }
   /// The place, to be written at once: the next call may move it.
   T& at(std::size_t i) {
@@ -37,8 +37,8 @@ class Paged {
   void fill(std::size_t begin, std::size_t end, const T& value) {
     while (begin < end) {
       const std::size_t page = begin / length, stop = std::min(end, page * length + page_length(page));
-      if (begin == page * length && stop == page * length + page_length(page) && start_[page] == absent) {
-        usual_[page] = value;
+      if (begin == page * length && stop == page * length + page_length(page) && pages_[page].start == absent) {
+        pages_[page].usual = value;
       } else {
         const std::uint32_t start = open(page);
         std::fill(items_.data() + start + begin % length, items_.data() + start + (stop - page * length), value);
@@ -53,17 +53,21 @@ class Paged {
 
   std::size_t page_length(std::size_t page) const { return std::min(length, size_ - page * length); }
   /// Where the items of a page begin, which are written from now on.
-  std::uint32_t open(std::size_t page) {
-    if (start_[page] == absent) {
-      start_[page] = static_cast<std::uint32_t>(items_.size());
-      items_.resize(items_.size() + page_length(page), usual_[page]);
+  std::uint32_t open(std::size_t number) {
+    Page& page = pages_[number];
+    if (page.start == absent) {
+      page.start = static_cast<std::uint32_t>(items_.size());
+      items_.resize(items_.size() + page_length(number), page.usual);
     }
-    return start_[page];
+    return page.start;
   }
 
+  struct Page {
+    std::uint32_t start;  // its first item, absent while it has none
+    T usual;
+  };
   std::size_t size_ = 0;
-  Array<std::uint32_t> start_;  // by page: its first item, absent while it has none
-  Array<T> usual_;              // by page
+  Array<Page> pages_;
   Array<T> items_;
 };
 

@@ -18,11 +18,15 @@ class Partition {
     parent_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) parent_[i] = i;
   }
+  std::size_t size() const { return parent_.size(); }
+  /// One more member, by itself.
+  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
   void unite(std::uint32_t i, std::uint32_t j) {
+    if (parent_[i] == parent_[j]) return;
     i = find(i);
     j = find(j);
     if (i < j)

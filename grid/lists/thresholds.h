@@ -25,7 +25,7 @@ struct Thresholds {
   /// Fewer boxes than this are searched without cells.
   std::size_t few_boxes = 256;
   /// Pairs of blocks with more pairs of boxes that meet are compared by slabs first.
-  int crowded_blocks = 12;
+  int crowded_blocks = 24;
   /// More pairs of faces left between two slabs than this are compared along the slabs' line.
   int crowded_slabs = 16;
   /// Fewer keys than this are sorted by comparison, others by digits or into buckets.
@@ -61,17 +61,19 @@ struct Thresholds {
   /// Subtrees of at most so many leaves, of an expression that has more, are evaluated by themselves.
   std::size_t subtree = 16;
   /// Nodes of a tree of boxes with more pairs of parts than this whose boxes meet are compared as a whole first.
-  int crowded_nodes = 32;
+  int crowded_nodes = 48;
   /// Edges of more faces than this are looked at once for all of them.
   std::uint32_t few_faces_at_edge = 8;
+  /// Blocks of more faces than this in all are compared as a whole before their faces are.
+  std::size_t few_faces = 64;
 
   static constexpr Thresholds smallest() {
-    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0, 0};
+    return {1, 2, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0, 0, 0};
   }
   static constexpr Thresholds largest() {
     constexpr std::uint32_t all = 1u << 30;
-    return {all, all, all, all, all, 64,  64,  all, all, all,     24, all,
-            all, all, all, all, all, all, all, 64,  all, 1 << 12, all, 64, all};
+    return {all, all, all, all, all, 64,  64, all, all,     all, 24, all, all,
+            all, all, all, all, all, all, 64, all, 1 << 12, all, 64, all, all};
   }
   /// The smallest, but few enough operands for an operand to lend its lists to the result, however small it is.
   static constexpr Thresholds patched() {

@@ -37,6 +37,13 @@ TEST(RationalTest, ParsesDecimalsAndQuotientsExactly) {
       {"123456789012345678901234567890/2", Rational(Integer("61728394506172839450617283945"))},
       {"1e400", Rational(pow(Integer(10), 400))},
       {"1e-400", Rational(1) / pow(Integer(10), 400)},
+      // Up to 18 digits and more, with and without a sign.
+      {"6/4", Rational(3, 2)},
+      {"0/7", 0},
+      {"+6/-4", Rational(-3, 2)},
+      {"007/14", Rational(1, 2)},
+      {"999999999999999999/3", Integer("333333333333333333")},
+      {"3000000000000000000/4000000000000000000", Rational(3, 4)},
   };
   for (const auto& [text, value] : good) {
     const auto parsed = parse_rational(text);
