@@ -173,7 +173,9 @@ class Evidence {
 
 DroppedShells dropped_shells(const Body& mesh, const Body& result) {
   // A mesh that was taken as it is has lost nothing.
-  if (result.planes.empty() && result.triangles == mesh.triangles && result.grid_points == mesh.grid_points) return {};
+  if (result.is_packed && result.planes.empty() && result.triangles == mesh.triangles &&
+      result.grid_points == mesh.grid_points)
+    return {};
 
   const ShellMesh parted{mesh};
   const auto shell_count = static_cast<std::uint32_t>(parted.shells.six_volumes.size());

@@ -37,9 +37,10 @@ Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {
 
   const Result<Arrangement> a = arrange(Operands({&mesh}, false), pairs, run);
   if (!a) return a.error();
-  const Result<Body> solved = selected(a.value(), Expression::itself(), run);
-  if (!solved) return solved.error();
-  return body_of(canonical(solved.value()));  // joins cut faces with untouched ones of their plane (B4)
+  Result<Body> solved = selected(a.value(), Expression::itself(), run);
+  // An edge of more faces than two may be left with two that lie on one plane, one of them cut: they are joined (B4).
+  const bool may_have_parted = !a.value().patches().crowded[OperandId(0)].empty();
+  return solved && may_have_parted ? Result<Body>(body_of(canonical(solved.value()))) : std::move(solved);
 }
 
 }  // namespace quoin::booleans

@@ -1,7 +1,6 @@
 #include "booleans/arrangement/patches.h"
 
-#include <optional>
-
+#include "booleans/body/half_edges.h"
 #include "grid/lists/partition.h"
 #include "grid/lists/stretches.h"
 
@@ -109,26 +108,21 @@ void glue_over_vertices(PatchPart& part) {
   for (auto& [face, in] : part.faces) in = part.number(patch[parts.find(in)]);
 }
 
+/// Two untouched faces at an edge that no other has hang together over it.
 void glue_over_edges(PatchPart& part) {
   const Body& body = part.body();
-  const Adjacency* adjacency = part.touched.adjacency[part.operand].get();
-  std::optional<Adjacency> own;
-  if (!adjacency || !adjacency->is_complete()) adjacency = &own.emplace(body);
+  const HalfEdges by_lower_vertex = half_edges(body.face_count(), body.vertex_count(),
+                                               [&](std::uint32_t f, auto&& visit) { body.for_edges(f, visit); });
+  const std::span<const HalfEdge> edges = by_lower_vertex.items();
 
   grid::Partition parts(body.face_count());
-  part.for_untouched([&](std::uint32_t f) {
-    body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) {
-      int count = 0;
-      std::uint32_t mate = none;
-      adjacency->faces_at_edge(u, v, [&](std::uint32_t g, bool forward) {
-        ++count;
-        if (g != f && !forward) mate = g;
-      });
-      if (count != 2 || mate == none)
-        part.crowded.push_back({part.operands.face(part.operand, f), u, v});
-      else if (!part.is_touched(mate))
-        parts.unite(f, mate);
-    });
+  for_undirected_edges(edges, [&](std::size_t begin, std::size_t end) {
+    const HalfEdge &first = edges[begin], &last = edges[end - 1];
+    const bool is_plain = end - begin == 2 && first.from == last.to && first.face != last.face;
+    if (is_plain && !part.is_touched(first.face) && !part.is_touched(last.face)) parts.unite(first.face, last.face);
+    for (const HalfEdge& e : edges.subspan(begin, is_plain ? 0 : end - begin))
+      if (!part.is_touched(e.face)) part.crowded.push_back({part.operands.face(part.operand, e.face), e.from, e.to});
+    return true;
   });
 
   Array<std::uint32_t> patch(body.face_count(), none);
