@@ -96,14 +96,9 @@ class Worker {
     const int direction = exact::cross_sign(names_.planes[f.plane], names_.planes[g.plane], axis);
     const FaceLine in_f{pair[0], f.plane, g.plane, axis, direction}, in_g{pair[1], g.plane, f.plane, axis, -direction};
 
-    tracer_.find_stops(in_f, g.box, on_f_);
-    tracer_.find_stops(in_g, f.box, on_g_);
-    const bool large_f = touched_.edge_tree[in_f.face] != nullptr, large_g = touched_.edge_tree[in_g.face] != nullptr;
-    const auto &stops_f = on_f_.stops, &stops_g = on_g_.stops;
-    if (stops_f.empty() && (!large_f || stops_g.empty())) return;
-    if (stops_g.empty() && !large_g) return;
+    if (!find_stops(in_f, in_g)) return;
 
-    const NewVertex at = stops_f.empty() ? stops_g[0].vertex : stops_f[0].vertex;
+    const NewVertex at = (on_f_.stops.empty() ? on_g_ : on_f_).stops[0].vertex;
     tracer_.find_open_segments(in_f, at, on_f_);
     tracer_.find_open_segments(in_g, at, on_g_);
     reverse(on_g_);
@@ -111,6 +106,25 @@ class Worker {
   }
 
  private:
+  /// The stops of both faces, as far as they matter. False where they tell that the faces do not meet.
+  bool find_stops(const FaceLine& in_f, const FaceLine& in_g) {
+    const bool large_f = touched_.edge_tree[in_f.face] != nullptr, large_g = touched_.edge_tree[in_g.face] != nullptr;
+    if (large_f && !large_g) return find_stops_of_large(in_f, on_f_, in_g, on_g_);
+    if (large_g && !large_f) return find_stops_of_large(in_g, on_g_, in_f, on_f_);
+
+    tracer_.find_stops(in_f, touched_.faces[in_g.face].box, on_f_);
+    if (!large_f && on_f_.stops.empty()) return false;
+    tracer_.find_stops(in_g, touched_.faces[in_f.face].box, on_g_);
+    return !on_g_.stops.empty() || (large_f && !on_f_.stops.empty());
+  }
+  /// What a small face has on the line lies between its stops.
+  bool find_stops_of_large(const FaceLine& in_large, Trace& on_large, const FaceLine& in_small, Trace& on_small) {
+    tracer_.find_stops(in_small, touched_.faces[in_large.face].box, on_small);
+    if (on_small.stops.empty()) return false;
+    tracer_.find_stops_between(in_large, on_small.stops, on_large);
+    return true;
+  }
+
   /// An edge between grid points at which a line enters or leaves a face.
   struct Gate {
     std::uint32_t edge = none;

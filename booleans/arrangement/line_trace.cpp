@@ -1,7 +1,6 @@
 #include "booleans/arrangement/line_trace.h"
 
 #include "booleans/arrangement/frame.h"
-#include "booleans/pairs/directions.h"
 
 namespace quoin::booleans {
 namespace {
@@ -15,23 +14,36 @@ bool contains(const Box& box, const std::array<double, 3>& p) {
 }  // namespace
 
 void LineTracer::find_stops(const FaceLine& line, const Box& box, Trace& trace) {
-  trace.stops.clear();
+  collect_stops(line, {&box, 1}, trace);
+  if (touched_.edge_tree[line.face])
+    std::erase_if(trace.stops, [&](const Stop& s) { return !contains(box, approximation(s.vertex)); });
+  merge(line, trace.stops);
+}
+
+void LineTracer::find_stops_between(const FaceLine& line, const Array<Stop>& stops, Trace& trace) {
+  const NewVertex first = stops.front().vertex, last = stops.back().vertex;
+  collect_stops(line, std::array{box_around(first), box_around(last)}, trace);
+  std::erase_if(trace.stops, [&](const Stop& s) {
+    return compare(line.axis, s.vertex, first) * compare(line.axis, s.vertex, last) > 0;
+  });
+  merge(line, trace.stops);
+}
+
+/// Those of all edges; of a face with an edge tree, of those that may meet the line within the hull of the boxes.
+void LineTracer::collect_stops(const FaceLine& line, std::span<const Box> hull, Trace& trace) {
+  Array<Stop>& stops = trace.stops;
+  stops.clear();
   trace.left = trace.right = 0;
 
-  const BoxTree* tree = touched_.edge_tree[line.face].get();
-  if (tree) {
-    const exact::Plane& other = names_.planes[line.other];
-    const auto may_stop = [&](const Box& edges) { return !strictly_on_one_side(other, edges); };
-    tree->meeting(box, may_stop, [&](std::uint32_t e) { add_stops(line, e, trace.stops); });
-  } else {
-    const TouchedFace& face = touched_.faces[line.face];
-    for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, trace.stops);
-  }
-  for (const VertexId v : touched_.isolated_of(line.face))
-    if (names_.side(v, line.other) == 0) trace.stops.push_back({v, 0, 0, false, none});
+  const TouchedFace& face = touched_.faces[line.face];
+  if (const SegmentTree* tree = touched_.edge_tree[line.face].get())
+    tree->meeting(names_.planes[line.other], hull,
+                  [&](std::uint32_t i) { add_stops(line, face.edges_begin + i, stops); });
+  else
+    for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, stops);
 
-  if (tree) std::erase_if(trace.stops, [&](const Stop& s) { return !contains(box, approximation(s.vertex)); });
-  merge(line, trace.stops);
+  for (const VertexId v : touched_.isolated_of(line.face))
+    if (names_.side(v, line.other) == 0) stops.push_back({v, 0, 0, false, none});
 }
 
 void LineTracer::add_stops(const FaceLine& line, std::uint32_t e, Array<Stop>& stops) {
@@ -127,8 +139,8 @@ int LineTracer::cover_after(const FaceLine& line, NewVertex at, int strip) const
   }
 
   int count = 0;
-  touched_.edge_tree[line.face]->meeting(below, [&](std::uint32_t e) {
-    const BoundaryEdge& edge = touched_.edges[e];
+  touched_.edge_tree[line.face]->boxes().meeting(below, [&](std::uint32_t i) {
+    const BoundaryEdge& edge = touched_.edges_of(line.face)[i];
     const auto beyond = [&](VertexId v) {  // the vertex lies at larger u than the shifted point
       const int c = compare(frame.u(), v, at);
       return c != 0 ? c > 0 : shift_u < 0;

@@ -47,8 +47,10 @@ class LineTracer {
   /// The stops of a face. Of a face with an edge tree only those within `box`, that of the face it may meet, and all of
   /// those: the crossing of an edge lies in the edge's box.
   void find_stops(const FaceLine& line, const Box& box, Trace& trace);
-  /// Says which segments between stops lie in the face. `at`: a point of the line within that box, asked where the
-  /// stops of a face with an edge tree leave open how it begins.
+  /// The same, of a face with an edge tree, but those between the first and the last of some stops on that line.
+  void find_stops_between(const FaceLine& line, const Array<Stop>& stops, Trace& trace);
+  /// Says which segments between stops lie in the face. `at`: a point of the line where stops were looked for, asked
+  /// where those of a face with an edge tree leave open how it begins.
   void find_open_segments(const FaceLine& line, NewVertex at, Trace& trace);
 
   /// Where a boundary edge of the line's face crosses the other plane. Precondition: its ends lie on both sides.
@@ -72,6 +74,16 @@ class LineTracer {
     return v.is_own() ? exact::side(names_.planes[plane], points[v.index()]) : names_.side(v.named(), plane);
   }
 
+  Box box_around(NewVertex v) const {
+    Box box;
+    if (v.is_own())
+      box.add_around(points[v.index()].approximation);
+    else
+      names_.vertices.add_to(box, v.named());
+    return box;
+  }
+
+  void collect_stops(const FaceLine& line, std::span<const Box> hull, Trace& trace);
   void add_stops(const FaceLine& line, std::uint32_t edge, Array<Stop>& stops);
   void merge(const FaceLine& line, Array<Stop>& stops) const;
   int cover_after(const FaceLine& line, NewVertex at, int strip) const;

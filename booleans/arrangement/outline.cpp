@@ -101,19 +101,50 @@ void OutlineMaker::close_pairs(std::uint32_t first, GroupOf group_of, Visit visi
     return;
   }
 
-  Array<BoxTree::Item> items(total - first);
+  Array<SegmentTree::Segment> items;
+  items.reserve(total - first);
   for (std::uint32_t i = first; i < total; ++i) {
     const auto [a, b] = ends(i);
-    BoxTree::Item& item = items[i - first];
-    item.id = i;
-    item.group = group_of(i);
-    item.box.add(vertices.approximation(a));
-    item.box.add(vertices.approximation(b));
+    items.push_back({a, b});
   }
-  BoxTree(items).pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (i > j) std::swap(i, j);
-    if (i < n) visit(i, j);
+  SegmentTree tree(names_.planes[outline_.plane], items, vertices);
+  const auto hubs = tree.pairs(vertices, [&](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t low = first + std::min(i, j), high = first + std::max(i, j);
+    if (low < n) visit(low, high);
   });
+  if (!hubs.empty()) pairs_at(hubs, first, visit);
+}
+
+/// visit(i, j) for pairs of segments, from the given one on, that run from one of some vertices in one direction.
+template <class Visit>
+void OutlineMaker::pairs_at(std::span<const VertexId> hubs, std::uint32_t first, Visit visit) const {
+  struct Spoke {
+    VertexId hub;
+    bool forward;
+    std::uint32_t segment;
+  };
+  std::vector<Spoke> spokes;
+  for (std::uint32_t i = first; i < outline_.segments.size(); ++i)
+    for (const bool forward : {true, false}) {
+      const VertexId hub = forward ? outline_.segments[i].a : outline_.segments[i].b;
+      if (std::binary_search(hubs.begin(), hubs.end(), hub)) spokes.push_back({hub, forward, i});
+    }
+
+  // On which side of a spoke's line another one of that hub ends that runs forward, or backward, too.
+  const auto turn = [&](const Spoke& s, const Spoke& t) {
+    const Segment &p = outline_.segments[s.segment], &q = outline_.segments[t.segment];
+    const int side = names_.side(t.forward ? q.b : q.a, p.line);
+    return side == 0 ? 0 : side * outline_.frame.direction(names_.planes[outline_.plane], names_.planes[p.line]);
+  };
+  const auto together = [&](const Spoke& s, const Spoke& t) { return s.hub == t.hub && s.forward == t.forward; };
+  std::sort(spokes.begin(), spokes.end(), [&](const Spoke& s, const Spoke& t) {
+    return together(s, t) ? turn(s, t) < 0 : std::pair(s.hub, s.forward) < std::pair(t.hub, t.forward);
+  });
+
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+    for (std::size_t j = i + 1; j < spokes.size() && together(spokes[i], spokes[j]) && turn(spokes[i], spokes[j]) == 0;
+         ++j)
+      visit(std::min(spokes[i].segment, spokes[j].segment), std::max(spokes[i].segment, spokes[j].segment));
 }
 
 void OutlineMaker::find_splits() {

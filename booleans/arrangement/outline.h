@@ -65,6 +65,8 @@ class OutlineMaker {
   void unite_equal_segments();
   template <class GroupOf, class Visit>
   void close_pairs(std::uint32_t first, GroupOf group_of, Visit visit) const;
+  template <class Visit>
+  void pairs_at(std::span<const VertexId> hubs, std::uint32_t first, Visit visit) const;
   void split_pair(std::uint32_t s, std::uint32_t t);
   void split_collinear(std::uint32_t s, std::uint32_t t);
   void split_by_point(std::uint32_t s, VertexId v);

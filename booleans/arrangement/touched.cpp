@@ -350,14 +350,13 @@ ById<OperandId, Array<std::uint32_t>> named_faces(const Operands& operands, cons
   return named;
 }
 
-std::unique_ptr<const BoxTree> tree_of_edges(const Touched& touched, TouchedId t, const VertexTable& vertices) {
-  Array<BoxTree::Item> items;
-  for (std::uint32_t e = touched.faces[t].edges_begin; e < touched.faces[t].edges_end; ++e) {
-    Box box;
-    for (const VertexId v : {touched.edges[e].from, touched.edges[e].to}) vertices.add_to(box, v);
-    items.push_back({box, e, e});
-  }
-  return std::make_unique<const BoxTree>(items);
+std::unique_ptr<const SegmentTree> tree_of_edges(const Touched& touched, TouchedId t, const Names& names) {
+  Array<SegmentTree::Segment> edges;
+  edges.reserve(touched.faces[t].edge_count());
+  for (const BoundaryEdge& e : touched.edges_of(t)) edges.push_back({e.from, e.to});
+  auto tree = std::make_unique<SegmentTree>(names.planes[touched.faces[t].plane], edges, names.vertices);
+  tree->make_strips(names.vertices);
+  return tree;
 }
 
 }  // namespace
@@ -407,7 +406,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   grid::in_stretches(out.faces.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       if (out.faces[t].edge_count() > grid::thresholds().large_face)
-        out.edge_tree[t] = tree_of_edges(out, t, names.vertices);
+        out.edge_tree[t] = tree_of_edges(out, t, names);
   });
   return out;
 }

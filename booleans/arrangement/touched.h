@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "booleans/arrangement/names.h"
+#include "booleans/arrangement/segment_tree.h"
 #include "booleans/body/adjacency.h"
-#include "booleans/pairs/box_tree.h"
 #include "booleans/pairs/operands.h"
 
 namespace quoin::booleans {
@@ -57,8 +57,8 @@ struct Touched {
   Array<FaceId> members;                          // the faces that are touched
   /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
   ById<OperandId, std::unique_ptr<const Adjacency>> adjacency;
-  /// Of faces with many edges (Thresholds::large_face), items are indices into edges; null for the others.
-  ById<TouchedId, std::unique_ptr<const BoxTree>> edge_tree;
+  /// Of faces with many edges (Thresholds::large_face): their edges in order. Null for the others.
+  ById<TouchedId, std::unique_ptr<const SegmentTree>> edge_tree;
 
   bool is_touched(FaceId f) const { return touched_of[f] != none; }
   std::span<const BoundaryEdge> edges_of(TouchedId t) const {

@@ -113,6 +113,20 @@ class BoxTree {
   /// The group of the i-th item in the tree's order.
   std::uint32_t group(std::uint32_t i) const { return levels_[0].group[i]; }
 
+  /// Node x of level l stands for the items from x 8^l to (x + 1) 8^l - 1, of which the last node has fewer. Nodes of
+  /// level 0 are items; the tree as a whole is no node.
+  std::size_t level_count() const { return levels_.size(); }
+  std::uint32_t node_count(std::size_t level) const { return levels_[level].count; }
+  /// The pairs of parts of two nodes of one level, not 0, whose boxes meet.
+  LanePairs part_pairs(std::size_t level, std::uint32_t x, std::uint32_t y) const {
+    const BoxBlock &a = levels_[level - 1].blocks[x], &b = levels_[level - 1].blocks[y];
+    const BoxBlock& of_y = levels_[level].blocks[y / BoxBlock::width];
+    LanePairs parts = 0;
+    for (unsigned left = a.meeting(of_y.box(y % BoxBlock::width)); left != 0; left &= left - 1)
+      parts |= LanePairs{b.meeting(a.box(lowest(left)))} << (BoxBlock::width * lowest(left));
+    return parts;
+  }
+
   enum class Pairs {
     all,
     foreign  // of items of different groups
@@ -157,10 +171,10 @@ class BoxTree {
   /// in y come first.
   template <class Visit>
   void meeting(const Box& box, Visit&& visit) const {
-    meeting(
-        box, [](const Box&) { return true; }, visit);
+    const auto always = [](std::size_t, std::uint32_t, const Box&) { return true; };
+    meeting(box, always, visit);
   }
-  /// The same, but for items in boxes that are not of interest; that of an item is in those of the nodes above it.
+  /// The same, but for items below nodes that are not of interest: of_interest(level, node, box).
   template <class Of, class Visit>
   void meeting(const Box& box, Of&& of_interest, Visit&& visit) const {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, of_interest, visit);
@@ -215,12 +229,7 @@ class BoxTree {
     const Level& here = levels_[level];
     if (idle(wanted, here.group[x], here.group[y])) return;
     if (level == 1) return visit(x, y);
-    const BoxBlock &a = levels_[level - 1].blocks[x], &b = levels_[level - 1].blocks[y];
-    LanePairs parts = 0;
-    for (unsigned left = a.meeting(here.blocks[y / BoxBlock::width].box(y % BoxBlock::width)); left != 0;
-         left &= left - 1)
-      parts |= LanePairs{b.meeting(a.box(lowest(left)))} << (BoxBlock::width * lowest(left));
-
+    LanePairs parts = part_pairs(level, x, y);
     if (std::popcount(parts) > grid::thresholds().crowded_nodes && pass(level, x, y)) return;
     for (; parts != 0; parts &= parts - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(parts));
@@ -238,7 +247,7 @@ class BoxTree {
         if (block.high[1][lowest(rest)] > block.high[1][top]) top = lowest(rest);
       left &= ~(1u << top);
       const Box lane = block.box(top);
-      if (!lane.meets(box) || !of_interest(lane)) continue;  // it may have shrunk
+      if (!lane.meets(box) || !of_interest(level, b * BoxBlock::width + top, lane)) continue;  // it may have shrunk
       if (level == 0)
         visit(ids_[b * BoxBlock::width + top]);
       else

@@ -32,7 +32,7 @@ class PairSearch {
         wanted_(wanted) {}
 
   FacePairs run(BoxTree::Pairs pairs) {
-    const auto pass = [&](std::size_t level, std::uint32_t x, std::uint32_t y) { return passed(level, x, y); };
+    const auto pass = [&](std::size_t level, std::uint32_t x, std::uint32_t y) { return passed(level, x, y, true); };
     tree_.block_pairs(pairs, pass, [&](std::uint32_t x, std::uint32_t y) {
       waiting_.push_back({x, y, 0});
       if (waiting_.size() == most) test(pairs);
@@ -64,8 +64,10 @@ class PairSearch {
       p.lanes &= ~skipped(p);
     });
     for (BlockPair& p : waiting_) {
-      if (std::popcount(p.lanes) <= grid::thresholds().crowded_blocks) continue;
-      if (p.x != p.y && faces_.size() > grid::thresholds().few_faces && passed(1, p.x, p.y))
+      const int count = std::popcount(p.lanes);
+      if (count <= grid::thresholds().crowded_blocks) continue;
+      if (p.x != p.y && faces_.size() > grid::thresholds().few_faces &&
+          passed(1, p.x, p.y, count > grid::thresholds().crowded_nodes))
         p.lanes = 0;
       else
         slabs_.need(p.x), slabs_.need(p.y);
@@ -77,8 +79,8 @@ class PairSearch {
   }
 
   /// May the pairs of faces below two nodes be passed over? Adds the pairs that stand for them.
-  bool passed(std::size_t level, std::uint32_t x, std::uint32_t y) {
-    const Relation relation = subtrees_.relation(level, x, y);
+  bool passed(std::size_t level, std::uint32_t x, std::uint32_t y, bool is_crowded) {
+    const Relation relation = subtrees_.relation(level, x, y, is_crowded);
     if (relation == Relation::in_parts && in_parts_ == InParts::one_each) {
       const std::uint32_t i = subtrees_.begin(level, x), j = other_group(i, level, x, y);
       name_each(level, x, y, {i, j});

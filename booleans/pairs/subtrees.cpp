@@ -304,14 +304,14 @@ bool Subtrees::in_common_parts(Node& a, Node& b, const GridPoint& c) {
   return true;
 }
 
-Relation Subtrees::relation(std::size_t level, std::uint32_t x, std::uint32_t y) {
+Relation Subtrees::relation(std::size_t level, std::uint32_t x, std::uint32_t y, bool is_crowded) {
   assert(x != y);
   Node &a = node(level, x), &b = node(level, y);
   if (on_one_plane(a, b)) return Relation::in_parts;
   for (const GridPoint& c : a.hubs)
     if (std::find(b.hubs.begin(), b.hubs.end(), c) != b.hubs.end())
       return in_common_parts(a, b, c) ? Relation::in_parts : Relation::unknown;
-  if (level == 1) return Relation::unknown;  // blocks have slabs
+  if (!is_crowded) return Relation::unknown;
   const std::optional<Cut> cut = cut_between(place(a), place(b));
   return cut && apart(a, b, *cut) ? Relation::apart : Relation::unknown;
 }

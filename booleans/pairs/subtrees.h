@@ -33,8 +33,9 @@ class Subtrees {
   Subtrees(const Array<SearchedFace>& faces, const BoxTree& tree, bool are_foreign)
       : faces_(faces), tree_(tree), are_foreign_(are_foreign) {}
 
-  /// Precondition: different nodes of that level.
-  Relation relation(std::size_t level, std::uint32_t x, std::uint32_t y);
+  /// Precondition: different nodes of that level. `is_crowded`: a plane that tells them apart is looked for, too, which
+  /// costs more than hubs and common planes do.
+  Relation relation(std::size_t level, std::uint32_t x, std::uint32_t y, bool is_crowded);
   /// The points that faces have in common of which that was said, not distinct.
   const Array<exact::GridPoint>& hubs() const { return hubs_; }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "tests/booleans/arrangement/bundles.h"
 #include "tests/booleans/arrangement/sketch.h"
 #include "tests/booleans/stages.h"
 
@@ -111,7 +112,42 @@ std::set<RationalPlace> splits_by(const Segment& s, const Segment& t) {
   return all;
 }
 
-/// Random segments and points against rationals, pair by pair; equal places have one name.
+/// Adds segments and points, and compares the splits with those of all pairs; equal places have one name. How many there
+/// are.
+std::size_t expect_splits_of_all_pairs(Sketch& sketch, const std::vector<std::array<Place, 2>>& segments,
+                                       const std::vector<Place>& points) {
+  std::map<Segment, std::set<RationalPlace>> expected, found;
+  for (const auto& [p, q] : segments) {
+    sketch.add_segment(p, q);
+    expected[{RationalPlace{std::min(p, q)[0], std::min(p, q)[1]}, {std::max(p, q)[0], std::max(p, q)[1]}}];
+  }
+  for (const Place& p : points) sketch.add_point(p);
+  std::size_t splits = 0;
+  for (auto& [s, places] : expected) {
+    for (const auto& [t, _] : expected) places.merge(splits_by(s, t));
+    for (const Place& p : points)
+      if (const RationalPlace at{p[0], p[1]}; inside(s, at)) places.insert(at);
+    splits += places.size();
+  }
+
+  const Outline outline = sketch.outline();
+  std::vector<std::set<RationalPlace>> places(outline.segments.size());
+  std::map<RationalPlace, VertexId> names;
+  for (const Outline::Split& s : outline.splits) {
+    const VertexId v = s.vertex.named();
+    const RationalPlace p = sketch.place(v);
+    EXPECT_EQ(names.try_emplace(p, v).first->second, v);
+    places[s.segment].insert(p);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const RationalPlace p = sketch.place(outline.segments[i].a), q = sketch.place(outline.segments[i].b);
+    EXPECT_TRUE(found.try_emplace({std::min(p, q), std::max(p, q)}, places[i]).second);
+  }
+  EXPECT_EQ(found, expected);
+  return splits;
+}
+
+/// Random segments and points against rationals, pair by pair.
 TEST(Outline, SplitsAreThoseOfAllPairs) {
   std::size_t splits = 0;
   for (std::uint64_t number = 0; number < case_count(60); ++number) {
@@ -122,42 +158,33 @@ TEST(Outline, SplitsAreThoseOfAllPairs) {
     Sketch sketch = far ? Sketch() : any_sketch(random);
     const std::vector<std::int64_t> scale = far ? far_scale() : any_scale(random);
 
-    std::map<Segment, std::set<RationalPlace>> expected, found;
-    std::vector<RationalPlace> points;
+    std::vector<std::array<Place, 2>> segments;
     for (std::uint64_t n = random.between(2, 35); n > 0; --n) {
       const Place p = any_place(random, scale), q = any_place(random, scale);
-      if (p == q) continue;
-      sketch.add_segment(p, q);
-      expected[{RationalPlace{std::min(p, q)[0], std::min(p, q)[1]}, {std::max(p, q)[0], std::max(p, q)[1]}}];
+      if (p != q) segments.push_back({p, q});
     }
-    for (std::uint64_t n = random.below(8); n > 0; --n) {
-      const Place p = any_place(random, scale);
-      sketch.add_point(p);
-      points.push_back({p[0], p[1]});
-    }
-    for (auto& [s, places] : expected) {
-      for (const auto& [t, _] : expected) places.merge(splits_by(s, t));
-      for (const RationalPlace& p : points)
-        if (inside(s, p)) places.insert(p);
-      splits += places.size();
-    }
-
-    const Outline outline = sketch.outline();
-    std::vector<std::set<RationalPlace>> places(outline.segments.size());
-    std::map<RationalPlace, VertexId> names;
-    for (const Outline::Split& s : outline.splits) {
-      const VertexId v = s.vertex.named();
-      const RationalPlace p = sketch.place(v);
-      ASSERT_EQ(names.try_emplace(p, v).first->second, v);
-      places[s.segment].insert(p);
-    }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const RationalPlace p = sketch.place(outline.segments[i].a), q = sketch.place(outline.segments[i].b);
-      ASSERT_TRUE(found.try_emplace({std::min(p, q), std::max(p, q)}, places[i]).second);
-    }
-    ASSERT_EQ(found, expected);
+    std::vector<Place> points;
+    for (std::uint64_t n = random.below(8); n > 0; --n) points.push_back(any_place(random, scale));
+    splits += expect_splits_of_all_pairs(sketch, segments, points);
   }
   EXPECT_GT(splits, 20 * case_count(60));
+}
+
+// Segments from one point, which may lie on each other, and others whose boxes all overlap.
+TEST(Outline, SplitsOfBundles) {
+  std::size_t splits = 0;
+  for (std::uint64_t number = 0; number < case_count(40); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0xB0D1, number);
+    const WithThresholds thresholds(random.one_in(2) ? grid::Thresholds::smallest() : grid::Thresholds{});
+    Sketch sketch;
+    const auto segments = any_bundles(random, random.one_in(2) ? 12 : 5000, 70);
+    std::vector<Place> points;
+    for (const auto& s : segments)
+      if (random.one_in(10)) points.push_back(s[0]);
+    splits += expect_splits_of_all_pairs(sketch, segments, points);
+  }
+  EXPECT_GT(splits, 20 * case_count(40));
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Subtrees, RelationsHoldForAllPairs) {
     for (std::size_t level = 1; faces.size() >> (3 * level) > 0; ++level)
       for (std::uint32_t x = 0; subtrees.begin(level, x) < faces.size(); ++x)
         for (std::uint32_t y = x + 1; subtrees.begin(level, y) < faces.size(); ++y) {
-          const Relation relation = subtrees.relation(level, x, y);
+          const Relation relation = subtrees.relation(level, x, y, random.one_in(2));
           ++said[relation];
           if (relation == Relation::unknown) continue;
           for (std::uint32_t i = subtrees.begin(level, x); i < subtrees.end(level, x); ++i)
