@@ -405,8 +405,7 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   out.edge_tree.resize(out.faces.size());
   grid::in_stretches(out.faces.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
-      if (out.faces[t].edge_count() > grid::thresholds().large_face)
-        out.edge_tree[t] = tree_of_edges(out, t, names);
+      if (out.faces[t].edge_count() > grid::thresholds().large_face) out.edge_tree[t] = tree_of_edges(out, t, names);
   });
   return out;
 }

@@ -112,8 +112,8 @@ std::set<RationalPlace> splits_by(const Segment& s, const Segment& t) {
   return all;
 }
 
-/// Adds segments and points, and compares the splits with those of all pairs; equal places have one name. How many there
-/// are.
+/// Adds segments and points, and compares the splits with those of all pairs; equal places have one name. How many
+/// there are.
 std::size_t expect_splits_of_all_pairs(Sketch& sketch, const std::vector<std::array<Place, 2>>& segments,
                                        const std::vector<Place>& points) {
   std::map<Segment, std::set<RationalPlace>> expected, found;
