@@ -1,6 +1,8 @@
 // Closed but otherwise arbitrary meshes become the solids of their positive winding numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "booleans/body/locate.h"
 #include "booleans/resolve.h"
 #include "tests/booleans/support.h"
@@ -69,6 +71,16 @@ TEST(Resolve, TouchingShells) {
   const Body outer = cube(0, 6);
   for (const Body& hole : {box({0, 1, 1}, {2, 3, 3}), box({0, 0, 1}, {2, 2, 3}), cube(0, 2)})
     EXPECT_TRUE(same(resolved({outer, inside_out(hole)}), minus(outer, hole)));
+}
+
+// Two boxes side by side, one of which is cut away from the wall between them: that has four faces at each edge, two of
+// which become parts of one face when the wall is gone (B4).
+TEST(Resolve, FacesJoinedWhereAWallIsGone) {
+  const Body a = cube(0, 4), b = box({4, 0, 0}, {8, 4, 4}), post = box({1, 1, 2}, {2, 2, 6});
+  const Body r = resolved({a, b, post});
+  EXPECT_TRUE(same(r, any(box({0, 0, 0}, {8, 4, 4}), post)));
+  for (const auto& t : r.triangles)  // the face with the post is a polygon
+    EXPECT_FALSE(std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return r.grid_points[v][2] == 4; }));
 }
 
 TEST(Resolve, CoplanarOverlaps) {
