@@ -3,23 +3,24 @@
 #include <bit>
 #include <utility>
 
+#include "booleans/body/body.h"
+
 namespace quoin::booleans {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr std::uint8_t never = 0b00, identity = 0b10, always = 0b11;  // functions of a value
 
 }  // namespace
 
 Expression Expression::itself() {
   Expression e;
-  e.add({Rule::operand, false, 0, 0xFFFFFFFFu});
+  e.add({Rule::operand, false, 0, none});
   return e;
 }
 
 Expression Expression::flat(Rule rule, std::uint32_t n, std::uint32_t negated_from) {
   Expression e;
-  e.add({rule, false, 0, 0xFFFFFFFFu});
+  e.add({rule, false, 0, none});
   for (std::uint32_t i = 0; i < n; ++i) e.add({Rule::operand, i >= negated_from, i, 0});
   return e;
 }

@@ -1,14 +1,18 @@
 // The algebra of sets, with == and for every solid.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "tests/booleans/support.h"
+#include "tests/grid/with_thresholds.h"
 
 namespace quoin::booleans::testing {
 namespace {
 
 using exact::Rational;
+using grid::testing::WithThresholds;
 
 class Laws : public ::testing::TestWithParam<Family> {
  protected:
@@ -35,6 +39,64 @@ std::set<std::array<exact::int128, 4>> planes_of(const Body& body) {
     planes.insert({c.n[0], c.n[1], c.n[2], c.d});
   }
   return planes;
+}
+
+/// A prism along z over a polygon that sees its hub; the caps are fans about it.
+Body fan_prism(const std::vector<Vector>& rim, const Vector& hub, std::int64_t low, std::int64_t high) {
+  std::vector<Vector> points;
+  for (const std::int64_t z : {low, high})
+    for (const Vector& p : rim) points.push_back({p[0], p[1], z});
+  const auto n = static_cast<std::uint32_t>(rim.size()), bottom = 2 * n, top = bottom + 1;
+  points.insert(points.end(), {{hub[0], hub[1], low}, {hub[0], hub[1], high}});
+
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    triangles.insert(triangles.end(), {{i, j, n + j}, {i, n + j, n + i}, {bottom, j, i}, {top, n + i, n + j}});
+  }
+  return *mesh(points, triangles);
+}
+Vector on_circle(double radius, double turn) {
+  return {std::llround(radius * std::cos(turn)), std::llround(radius * std::sin(turn)), 0};
+}
+/// A star of many tips, or a wedge at the axis; heights and directions are few, so that solids share planes and edges.
+Body star_or_wedge(Random& random) {
+  constexpr double turn = 2 * std::numbers::pi;
+  constexpr double size = 1 << 20;
+  const std::int64_t low = random.between(0, 2), high = low + random.between(1, 2);
+  std::vector<Vector> rim;
+  if (random.one_in(2)) {
+    const double at = turn * static_cast<double>(random.below(48)) / 48, width = turn / 96;
+    rim = {{0, 0, 0}, on_circle(size, at), on_circle(size, at + width)};
+    return fan_prism(rim, {0, 0, 0}, low, high);
+  }
+
+  const std::uint64_t corners = 2 * (12 + random.below(40));
+  const double first = turn * static_cast<double>(random.below(8)) / 8 / static_cast<double>(corners);
+  for (std::uint64_t i = 0; i < corners; ++i)
+    rim.push_back(
+        on_circle(i % 2 == 0 ? size : size / 2, first + turn * static_cast<double>(i) / static_cast<double>(corners)));
+  return fan_prism(rim, {0, 0, 0}, low, high);
+}
+
+// Edges that overlap in all their boxes, and faces that meet in one edge: with trees, strips and hubs as one by one.
+TEST(StarsAndWedges, AllWaysHaveOneResult) {
+  for (std::uint64_t number = 0; number < case_count(25); ++number) {
+    SCOPED_TRACE(case_name(number));
+    Random random(0x57A2, number);
+    std::vector<Body> solids;
+    for (std::uint64_t left = 3 + random.below(3); left > 0; --left) solids.push_back(star_or_wedge(random));
+    const Rule rule = std::array{Rule::any, Rule::all, Rule::odd}[random.below(3)];
+    const auto result = [&](const grid::Thresholds& t) {
+      const WithThresholds set(t);
+      return evaluated(solids, Expression::flat(rule, static_cast<std::uint32_t>(solids.size())));
+    };
+
+    const Body usual = result({});
+    ASSERT_TRUE(same(usual, result(grid::Thresholds::smallest())));
+    ASSERT_TRUE(same(usual, result(grid::Thresholds::largest())));
+    ASSERT_TRUE(same(usual, result(grid::Thresholds::patched())));
+  }
 }
 
 TEST_P(Laws, OperandOrderDoesNotMatter) {
