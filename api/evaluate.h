@@ -9,9 +9,8 @@
 
 namespace quoin {
 
-/// rule(solid 0, .., solid n - 1), those from `negated_from` on complemented. All grids are equal, n > 0.
+/// rule(solid 0, .., solid n - 1), those from `negated_from` on complemented, on their common grid. n > 0.
 /// Errors: as booleans::evaluate.
-Result<Solid> evaluate_flat(booleans::Rule rule, const std::vector<const Solid*>& solids, std::uint32_t negated_from,
-                            const Options& options);
+Result<Solid> evaluate_flat(booleans::Rule rule, std::vector<Solid> solids, std::uint32_t negated_from);
 
 }  // namespace quoin

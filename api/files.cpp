@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "api/access.h"
 #include "api/common_grid.h"
@@ -72,49 +73,126 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
   return {};
 }
 
-/// The grid of all sources together.
-Result<Grid> common_grid(const std::vector<Source>& sources) {
-  std::vector<Solid> exact;
-  for (const Source& source : sources)
-    if (source.exact) exact.push_back(*source.exact);
-  if (!exact.empty()) return finest_grid(exact);
-
+std::vector<std::span<const double>> meshes_of(const std::vector<Source>& sources) {
   std::vector<std::span<const double>> meshes;
   for (const Source& source : sources) meshes.emplace_back(source.mesh.points);
-  return fitting_grid_of(meshes, [&](const Error& error, std::size_t i) { return in_file(error, sources[i].name); });
+  return meshes;
 }
 
-/// One source on the common grid.
-Result<Solid> built(const Source& source, const ImportOptions& options, ImportReport& report) {
-  if (source.exact)
-    return run_to_end(options.run, [&](const Options&) { return source.exact->on_grid(*options.grid); });
-
-  const PolygonMesh& mesh = source.mesh;
-  return Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, options, &report);
+/// The grid that fits all meshes of the sources together.
+Result<Grid> grid_around_meshes(const std::vector<Source>& sources) {
+  return fitting_grid_of(meshes_of(sources),
+                         [&](const Error& error, std::size_t i) { return in_file(error, sources[i].name); });
 }
+
+/// Whether all meshes lie in the world of a grid. Points that are not finite are left to import.
+bool hold_meshes(const Grid& grid, const std::vector<Source>& sources) {
+  const auto meshes = meshes_of(sources);
+  if (std::all_of(meshes.begin(), meshes.end(), [](const auto& points) { return points.empty(); })) return true;
+
+  grid::ModelBox box;
+  for (const auto& [x, y, z] : mesh_box(meshes))
+    box.add(std::array{exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)});
+  return in_world(Access::lattice(grid), box);
+}
+
+/// Adds what going to the common grid did to a source.
+void add_rounding(ImportReport& report, const Rounded& rounded) {
+  report.max_snap = exact::double_above(exact::to_rational(report.max_snap) + rounded.displacement);
+  report.resolved_crossings += rounded.resolved_crossings;
+  if (rounded.solid.is_empty()) report.empty_on = "step " + rounded.solid.grid().step();
+}
+
+/// Sources on their way to solids.
+class Building {
+ public:
+  Building(std::vector<Source> sources, const ImportOptions& options, const Options& run)
+      : sources_(std::move(sources)), options_(options), run_(run), reports_(sources_.size()) {
+    for (const Source& source : sources_) names_.push_back(source.name);
+  }
+  std::vector<ImportReport>& reports() { return reports_; }
+
+  /// The meshes on a grid, the exact sources too, if that is exact.
+  Result<std::vector<Solid>> on(const Grid& grid) {
+    return each(grid, [&](std::size_t i) { return sources_[i].exact->on_grid(grid); });
+  }
+
+  Result<std::vector<Solid>> on_common_grid() {
+    std::vector<std::size_t> exact;
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+      if (sources_[i].exact) exact.push_back(i);
+    if (exact.empty()) {
+      const auto grid = grid_around_meshes(sources_);
+      return grid ? on(grid.value()) : grid.error();
+    }
+
+    std::vector<Solid> solids(sources_.size());
+    for (const std::size_t i : exact) solids[i] = *sources_[i].exact;
+    const std::vector<Solid> given = solids;
+    if (const auto done = unify(solids, exact); !done) return done.error();
+    if (const Grid common = solids[exact[0]].grid(); hold_meshes(common, sources_))
+      return each(common, [&](std::size_t i) -> Result<Solid> { return solids[i]; });
+
+    // Meshes beyond the world of that grid have one of their own, before all meet.
+    reports_.assign(reports_.size(), {});
+    const auto grid = grid_around_meshes(sources_);
+    if (!grid) return grid.error();
+    auto all = each(grid.value(), [&](std::size_t i) -> Result<Solid> { return given[i]; });
+    if (!all) return all;
+    std::vector<std::size_t> numbers(names_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    if (const auto done = unify(all.value(), numbers); !done) return done.error();
+    return all;
+  }
+
+ private:
+  /// Some of the solids go to their common grid.
+  Result<void> unify(std::vector<Solid>& solids, const std::vector<std::size_t>& numbers) {
+    std::vector<Solid> some;
+    for (const std::size_t i : numbers) some.push_back(solids[i]);
+    const auto done = go_to_common_grid(
+        some, run_, [&](Error error, std::size_t n) { return in_file(std::move(error), names_[numbers[n]]); },
+        [&](std::size_t n, const Rounded& rounded) { add_rounding(reports_[numbers[n]], rounded); });
+    if (!done) return done;
+    for (std::size_t n = 0; n < numbers.size(); ++n) solids[numbers[n]] = some[n];
+    return {};
+  }
+
+  /// Meshes imported on a grid, and what exact(i) makes of an exact source. The sources are used up.
+  template <class Exact>
+  Result<std::vector<Solid>> each(const Grid& grid, Exact&& exact) {
+    std::vector<Solid> solids;
+    solids.reserve(sources_.size());
+    ImportOptions options = options_;
+    options.grid = grid;
+    const auto count = static_cast<double>(sources_.size());
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      options.run = step_of(run_, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      auto solid = sources_[i].exact ? run_to_end(options.run, [&](const Options&) { return exact(i); })
+                                     : imported(sources_[i].mesh, options, reports_[i]);
+      if (!solid) return in_file(solid.error(), names_[i]);
+      solids.push_back(std::move(solid).value());
+      sources_[i] = {};  // large arrays are not kept longer than needed
+    }
+    return solids;
+  }
+
+  static Result<Solid> imported(const PolygonMesh& mesh, const ImportOptions& options, ImportReport& report) {
+    return Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, options, &report);
+  }
+
+  std::vector<Source> sources_;
+  const ImportOptions& options_;
+  const Options& run_;
+  std::vector<std::string> names_;
+  std::vector<ImportReport> reports_;
+};
 
 Result<std::vector<Solid>> built(std::vector<Source> sources, const ImportOptions& options, const Options& run,
                                  std::vector<ImportReport>* reports) {
-  if (reports) reports->assign(sources.size(), {});
-  ImportOptions each = options;
-  if (!each.grid) {
-    const auto grid = common_grid(sources);
-    if (!grid) return grid.error();
-    each.grid = grid.value();
-  }
-
-  std::vector<Solid> solids;
-  solids.reserve(sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const auto count = static_cast<double>(sources.size());
-    each.run = step_of(run, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    ImportReport report;
-    auto solid = built(sources[i], each, report);
-    if (!solid) return in_file(solid.error(), sources[i].name);
-    solids.push_back(std::move(solid).value());
-    if (reports) (*reports)[i] = report;
-    sources[i] = {};  // large arrays are not kept longer than needed
-  }
+  Building building(std::move(sources), options, run);
+  auto solids = options.grid ? building.on(*options.grid) : building.on_common_grid();
+  if (reports) *reports = std::move(building.reports());
   return solids;
 }
 
@@ -194,7 +272,6 @@ Result<void> write_bytes(const std::string& path, std::string_view bytes, const 
   if (!written) return in_file(written.error(), path);
   return {};
 }
-
 
 Result<void> Solid::write(const std::string& path, const ExportOptions& options) const {
   const auto format = format_of(path);

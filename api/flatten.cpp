@@ -46,6 +46,7 @@ class Flattener {
     bool negated;
     std::uint32_t parent;
   };
+  using SolidKey = std::pair<const booleans::Body*, const grid::Lattice*>;
   template <class Key>
   using Numbers = std::map<Key, std::uint32_t, std::less<Key>, grid::LargePages<std::pair<const Key, std::uint32_t>>>;
 
@@ -91,8 +92,10 @@ class Flattener {
   }
 
   void add_solid(const Solid& solid, const Item& item) {
-    add({Rule::operand, item.negated, number(solids_, Access::identity(solid), out_.solids, solid, out_.solid_places),
-         item.parent});
+    // Empty solids have no body, but each a grid.
+    const booleans::Body* const body = Access::identity(solid);
+    const SolidKey key{body, body ? nullptr : &Access::lattice(solid)};
+    add({Rule::operand, item.negated, number(solids_, key, out_.solids, solid, out_.solid_places), item.parent});
   }
 
   void push(const ExpressionNode& node, bool negated, std::uint32_t parent) {
@@ -117,7 +120,7 @@ class Flattener {
   grid::Array<Item> pending_;
   grid::Array<std::uint8_t> is_half_space_;  // by node
   std::uint32_t leaves_ = 0;                 // so far
-  Numbers<const booleans::Body*> solids_;
+  Numbers<SolidKey> solids_;
   Numbers<const ExpressionNode*> half_spaces_;
   Flattened out_;
 };

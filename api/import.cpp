@@ -99,7 +99,7 @@ std::string far_point(std::span<const std::span<const double>> meshes) {
 
 }  // namespace
 
-Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
+Box mesh_box(std::span<const std::span<const double>> meshes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
   for (const auto points : meshes)
@@ -111,7 +111,11 @@ Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
       }
   for (std::size_t k = 0; k < 3; ++k)
     if (low[k] > high[k]) low[k] = high[k] = 0;
+  return {low, high};
+}
 
+Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
+  const auto [low, high] = mesh_box(meshes);
   auto grid = Grid::fitting(low, high);
   if (grid) return grid;
   Error error = grid.error();

@@ -8,6 +8,10 @@
 
 namespace quoin {
 
+/// The box of the points of several meshes; points that are not finite are left to import, and without any the box is
+/// {0}.
+Box mesh_box(std::span<const std::span<const double>> meshes);
+
 /// The grid that fits the points of several meshes together; points that are not finite are left to import.
 /// Errors: "out-of-range".
 Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes);

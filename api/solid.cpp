@@ -111,12 +111,7 @@ Location Solid::classify(const std::array<double, 3>& point) const {
 namespace {
 
 Solid operated(Rule rule, const Solid& a, const Solid& b, bool complement_b) {
-  if (!(a.grid() == b.grid()))
-    throw Exception({ErrorCode::inexact_grid,
-                     "the operands of an operator must have equal grids, but their steps are " + a.grid().step() +
-                         " and " + b.grid().step() + " (or their origins differ); use a named function"});
-
-  return evaluate_flat(rule, {&a, &b}, complement_b ? 1 : booleans::none, {}).value();
+  return evaluate_flat(rule, {a, b}, complement_b ? 1 : booleans::none).value();
 }
 
 }  // namespace

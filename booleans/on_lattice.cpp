@@ -128,14 +128,15 @@ Misfit move_boundary(const Map& map, Boundary& boundary) {
   return mover.fault();
 }
 
-/// A body on another lattice.
-Misfit moved(const Body& body, const Map& map, std::optional<Body>& result) {
+/// A body on another lattice; `form`, its canonical form, is made when it is first needed.
+Misfit moved(const Body& body, const Map& map, std::optional<Body>& result, std::optional<Boundary>& form) {
   Misfit fault = Misfit::none;
   if (map.divisor == 1) {
     result = body;
     fault = move_body(map, *result);
   } else {
-    Boundary boundary = canonical(body);
+    if (!form) form = canonical(body);
+    Boundary boundary = *form;
     fault = move_boundary(map, boundary);
     if (fault == Misfit::none) result = body_of(boundary);
   }
@@ -143,17 +144,16 @@ Misfit moved(const Body& body, const Map& map, std::optional<Body>& result) {
   if (fault != Misfit::none) result.reset();
   return fault;
 }
-
-Rational common_divisor(const Rational& a, const Rational& b) {
-  return Rational(gcd(Integer(numerator(a) * denominator(b)), Integer(numerator(b) * denominator(a))),
-                  denominator(a) * denominator(b));
+Misfit moved(const Body& body, const Map& map, std::optional<Body>& result) {
+  std::optional<Boundary> form;
+  return moved(body, map, result, form);
 }
 
 /// The coarsest lattice with the target's origin on which every point of both lattices lies.
 grid::Lattice common_lattice(const grid::Lattice& from, const grid::Lattice& to) {
   grid::Lattice r = to;
-  r.step = common_divisor(from.step, to.step);
-  for (std::size_t k = 0; k < 3; ++k) r.step = common_divisor(r.step, from.origin[k] - to.origin[k]);
+  r.step = exact::common_divisor(from.step, to.step);
+  for (std::size_t k = 0; k < 3; ++k) r.step = exact::common_divisor(r.step, Rational(from.origin[k] - to.origin[k]));
   return r;
 }
 
@@ -225,6 +225,12 @@ Result<Body> on_lattice(const Body& body, const grid::Lattice& from, const grid:
       return out_of_range(body, from, to);
   }
   return std::move(*result);
+}
+
+std::optional<Body> Carrier::to(const grid::Lattice& lattice) {
+  std::optional<Body> result;
+  moved(body_, map_between(from_, lattice), result, form_);
+  return result;
 }
 
 }  // namespace quoin::booleans

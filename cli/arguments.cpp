@@ -131,8 +131,11 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
 
   app->add_option("--step", raw.step,
                   std::string("Grid step in model units, e.g. 1/1000 or 0.001; default: that of ") +
-                      (a.command == Command::eval ? "the model, of a solid in it" : "a .quoin operand") +
+                      (a.command == Command::eval ? "the model, of the solids in it" : "the .quoin operands") +
                       ", or one that fits.");
+  app->add_flag_callback(
+      "--exact-grid", [&a] { a.grid_rule = GridRule::exact; },
+      "Refuse what no grid holds exactly together with the rest; default: it is rounded, and max_snap says how far.");
   app->add_flag("--trust", a.trust,
                 a.command == Command::check || a.command == Command::eval
                     ? "Changes nothing here: all is proved."

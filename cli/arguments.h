@@ -43,6 +43,7 @@ struct Arguments {
   Rounding rounding = Rounding::best;
   std::string rounding_name = "best";
   std::optional<Grid> grid;
+  GridRule grid_rule = GridRule::common;
   std::optional<Format> format;
   Topology topology = Topology::manifold;
   unsigned threads = 0;

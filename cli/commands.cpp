@@ -27,7 +27,10 @@ struct Session {
   explicit Session(const Arguments& a) : arguments(a), progress(!a.quiet && !a.json) {}
 
   Options options(const char* what) {
-    return {.progress = progress.show(what), .cancel = &cancel_flag(), .threads = arguments.threads};
+    return {.progress = progress.show(what),
+            .cancel = &cancel_flag(),
+            .threads = arguments.threads,
+            .grid_rule = arguments.grid_rule};
   }
 };
 
@@ -35,9 +38,11 @@ struct Session {
 struct Operands {
   std::vector<Solid> solids;
   std::vector<MeshImport> imports;
+  /// How far the operation moved anything.
+  double operation_snap = 0;
 
   double max_snap() const {
-    double largest = 0;
+    double largest = operation_snap;
     for (const auto& import : imports) largest = std::max(largest, import.report.max_snap);
     return largest;
   }
@@ -47,6 +52,7 @@ struct Operands {
 struct Computed {
   std::vector<Solid> solids;                // two for split
   std::optional<MotionReport> motion = {};  // of move and eval
+  OperationReport operation = {};
 };
 
 /// One solid on its way to a file.
@@ -177,31 +183,32 @@ Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& impor
 Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
   const Arguments& a = session.arguments;
   const Options options = session.options("computing");
-  const auto one = [](Result<Solid> solid) -> Result<Computed> {
+  OperationReport report;
+  const auto one = [&](Result<Solid> solid) -> Result<Computed> {
     if (!solid) return solid.error();
-    return Computed{{std::move(solid).value()}};
+    return Computed{{std::move(solid).value()}, {}, report};
   };
 
   switch (a.command) {
     case Command::unite:
-      return one(unite(solids, options));
+      return one(unite(solids, options, &report));
     case Command::intersect:
-      return one(intersect(solids, options));
+      return one(intersect(solids, options, &report));
     case Command::subtract:
-      return one(difference(solids[0], {solids.begin() + 1, solids.end()}, options));
+      return one(difference(solids[0], {solids.begin() + 1, solids.end()}, options, &report));
     case Command::symmetric_difference:
-      return one(symmetric_difference(solids, options));
+      return one(symmetric_difference(solids, options, &report));
     case Command::complement:
       return one(complement(solids[0]));
     case Command::split: {
-      auto parts = split(solids[0], a.plane, options);
+      auto parts = split(solids[0], a.plane, options, &report);
       if (!parts) return parts.error();
-      return Computed{{parts.value().begin(), parts.value().end()}};
+      return Computed{{parts.value().begin(), parts.value().end()}, {}, report};
     }
     case Command::move: {
-      MotionReport report;
-      auto computed = one(moved(solids[0], a.motion, {.rounding = a.rounding, .run = options}, &report));
-      if (computed) computed.value().motion = report;
+      MotionReport motion;
+      auto computed = one(moved(solids[0], a.motion, {.rounding = a.rounding, .run = options}, &motion));
+      if (computed) computed.value().motion = motion;
       return computed;
     }
     case Command::eval:
@@ -210,7 +217,7 @@ Result<Computed> compute(Session& session, const std::vector<Solid>& solids) {
     case Command::check:
       break;
   }
-  return Computed{solids};
+  return Computed{solids, {}, {}};
 }
 
 /// Refuses an output that could only fail after the work is done.
@@ -396,6 +403,7 @@ Result<void> run_writing(Session& session) {
   if (!results) return results.error();
   if (results.value().motion) warn_of_losses(a, *results.value().motion);
   operands.value().solids.clear();
+  operands.value().operation_snap = results.value().operation.max_snap;
 
   std::vector<Output> outputs;
   for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value().solids[i]});

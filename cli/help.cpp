@@ -148,7 +148,8 @@ Units: meshes are read without a unit. Quoin takes their numbers as they are ("m
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
   of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.
   The largest move is reported as max_snap. A .quoin operand brings its grid along, which --step replaces where that is
-  exact.
+  exact. Of several grids a common one is found, exact where any is; else the operands that do not fit are rounded, once,
+  and reported; --exact-grid refuses instead.
 
 Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
   among others, since nothing is left of it; --quiet suppresses it.

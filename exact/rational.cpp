@@ -136,6 +136,11 @@ float to_float(const Rational& v) {
   return static_cast<float>(r);  // exact, or infinite beyond the range
 }
 
+Rational common_divisor(const Rational& a, const Rational& b) {
+  return Rational(gcd(Integer(numerator(a) * denominator(b)), Integer(numerator(b) * denominator(a))),
+                  denominator(a) * denominator(b));
+}
+
 Rational coordinate(const Point& u, int k) {
   return Rational(to_integer(u.x[static_cast<std::size_t>(k)]), to_integer(u.w));
 }

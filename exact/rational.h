@@ -91,6 +91,9 @@ std::array<Integer, N> primitive(const std::array<Rational, N>& v) {
   return primitive(over_common_denominator(v).numerators);
 }
 
+/// The largest rational of which both are whole multiples; not negative. That of 0 and v is |v|.
+Rational common_divisor(const Rational& a, const Rational& b);
+
 /// The exact k-th coordinate.
 Rational coordinate(const Point& u, int k);
 

@@ -1,10 +1,11 @@
 #include "api/evaluate.h"
-#include "api/common_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 
+#include "api/common_grid.h"
 #include "api/import.h"
 #include "api/model/gather.h"
 #include "api/model/primitive.h"
@@ -29,6 +30,23 @@ std::vector<double> corners_of(const Placed& p) {
   return points;
 }
 
+/// The same, exactly.
+void add_corners(const Placed& p, grid::ModelBox& box) {
+  if (!p.shape) return;
+  const rounding::AffineMap map = composed(p.shape->to_model, p.motion->map);
+  for (const auto& v : p.shape->polyhedron.points) box.add(map(v));
+}
+
+/// Counts a solid at rest that was rounded among the primitives.
+void add_to(MotionReport& report, const Rounded& rounded, const std::string& name) {
+  ++report.primitives;
+  ++(rounded.by_planes ? report.by_planes : report.by_vertices);
+  report.resolved_crossings += rounded.resolved_crossings;
+  if (rounded.vanished && report.vanished_primitives++ == 0) report.vanished_where = name;
+  if (rounded.displacement > *exact::parse_rational(report.displacement_bound))
+    report_displacement(report, rounded.displacement);
+}
+
 /// One that fits all primitives. Errors: "out-of-range", naming the node.
 Result<Grid> grid_around(const Gathered& g) {
   std::vector<std::vector<double>> corners;
@@ -37,11 +55,44 @@ Result<Grid> grid_around(const Gathered& g) {
   return fitting_grid_of(meshes, [&](const Error& error, std::size_t i) { return at_node(error, *g.leaves[i]); });
 }
 
-/// What the caller or the model asks for, else the finest grid of its solids, else one that fits the primitives.
-Result<Grid> chosen_grid(const Gathered& g, const std::optional<Grid>& asked) {
-  if (asked) return *asked;
-  if (!g.step.empty()) return Grid::with_step(g.step);
-  return g.solids.empty() ? grid_around(g) : finest_grid(g.solids);
+/// The common grid of the model's solids and of the box of its primitives, or one that fits the primitives alone.
+Result<Grid> grid_of(const Gathered& g) {
+  if (g.solids.empty()) return grid_around(g);
+  std::vector<Solid> at_rest;
+  for (const Term& term : g.terms)
+    if (term.node->kind == ModelKind::solid && term.primitive == nowhere) at_rest.push_back(*term.node->solid);
+
+  std::vector<Grid> grids;
+  for (const Solid& solid : g.solids) grids.push_back(solid.grid());
+  grid::ModelBox box;
+  for (const Placed& p : g.primitives) add_corners(p, box);
+  return common_grid(at_rest, grids, box).grid;
+}
+
+/// The solids that stay where they are, on the grid, by their terms: exactly or, where no grid `is_asked` for, rounded.
+Result<std::map<const Term*, Solid>> solids_at_rest(const Gathered& g, const Grid& grid, bool is_asked,
+                                                    const Options& run, MotionReport& report) {
+  std::map<const Term*, Solid> there;
+  for (const Term& term : g.terms) {
+    const ModelNode& node = *term.node;
+    if (node.kind != ModelKind::solid || term.primitive != nowhere) continue;
+    if (is_asked || run.grid_rule == GridRule::exact) {
+      const auto exact = node.solid->on_grid(grid);
+      if (!exact) return at_node(exact.error(), node);
+      there.emplace(&term, exact.value());
+      continue;
+    }
+
+    if (auto exact = exactly_on(*node.solid, grid)) {
+      there.emplace(&term, std::move(*exact));
+      continue;
+    }
+    const auto rounded = rounded_to(*node.solid, grid, run.cancel);
+    if (!rounded) return rounded.error();
+    add_to(report, rounded.value(), name_of(node));
+    there.emplace(&term, rounded.value().solid);
+  }
+  return there;
 }
 
 /// An error of `place` says the primitive's number: the node says more.
@@ -55,13 +106,10 @@ Error named(Error error, const std::vector<const ModelNode*>& leaves) {
 }
 
 /// The expression of a leaf. The body of its primitive is used up.
-Result<Expression> leaf(const Term& term, const Grid& grid, std::vector<rounding::Reconstructed>& primitives) {
+Expression leaf(const Term& term, const Grid& grid, const std::map<const Term*, Solid>& at_rest,
+                std::vector<rounding::Reconstructed>& primitives) {
   const ModelNode& node = *term.node;
-  if (term.primitive == nowhere) {
-    auto here = node.solid->on_grid(grid);
-    if (!here) return here.error();
-    return Expression(here.value());
-  }
+  if (term.primitive == nowhere) return at_rest.at(&term);
   if (node.kind == ModelKind::half_space) return half_space(*primitives[term.primitive].plane, Access::lattice(grid));
 
   const Expression e = Access::solid(grid, std::move(primitives[term.primitive].body));
@@ -85,13 +133,12 @@ Expression joined(ModelKind kind, std::vector<Expression> terms) {
 }
 
 /// The expression of the root.
-Result<Expression> expression(const Gathered& g, const Grid& grid, std::vector<rounding::Reconstructed>& primitives) {
+Expression expression(const Gathered& g, const Grid& grid, const std::map<const Term*, Solid>& at_rest,
+                      std::vector<rounding::Reconstructed>& primitives) {
   std::vector<Expression> known;
   for (const Term& term : g.terms) {
     if (rule_of(term.node->kind).children == ModelChildren::none) {
-      auto e = leaf(term, grid, primitives);
-      if (!e) return at_node(e.error(), *term.node);
-      known.push_back(std::move(e).value());
+      known.push_back(leaf(term, grid, at_rest, primitives));
       continue;
     }
 
@@ -108,18 +155,20 @@ Result<Solid> evaluated(const Model& model, const ModelOptions& options, const O
   if (!parts) return parts.error();
   const Gathered& g = parts.value();
 
-  const auto grid = chosen_grid(g, options.grid);
+  const bool is_asked = options.grid || !g.step.empty();
+  const auto grid = options.grid ? Result<Grid>(*options.grid) : is_asked ? Grid::with_step(g.step) : grid_of(g);
   if (!grid) return grid.error();
 
   constexpr double placing = 0.5;  // of the time, about
   auto placed = place(g.primitives, Access::lattice(grid.value()), options.rounding, step_of(run, 0, placing));
   if (!placed) return named(placed.error(), g.leaves);
+  const auto at_rest = solids_at_rest(g, grid.value(), is_asked, run, placed.value().report);
+  if (!at_rest) return at_rest.error();
   if (report) *report = placed.value().report;
 
-  const auto root = expression(g, grid.value(), placed.value().primitives);
-  if (!root) return root.error();
+  const Expression root = expression(g, grid.value(), at_rest.value(), placed.value().primitives);
   // The empty solid carries the grid.
-  return evaluate(Expression::unite({Solid::empty(grid.value()), root.value()}), step_of(run, placing, 1));
+  return evaluate(Expression::unite({Solid::empty(grid.value()), root}), step_of(run, placing, 1));
 }
 
 }  // namespace

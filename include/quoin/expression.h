@@ -39,10 +39,12 @@ class QUOIN_API Expression {
   std::shared_ptr<const Node> node_;
 };
 
-/// Evaluates an expression in one arrangement. Operands of different grids go to the finest one if that is exact.
+/// Evaluates an expression in one arrangement. Solids of different grids go to a common one, and half-spaces to it, as
+/// `unite` and `split` do (quoin/solid.h); `report`, when given, receives what was rounded.
 /// Errors: "inexact-grid", "cancelled", "inconsistent" (an operand trusted wrongly), "no-operand", "bad-plane". Of an
 /// operand that cannot take part `where` begins with its number, "operand 3": solids and half-spaces are counted from 0
 /// in the order in which the expression names them.
-QUOIN_API Result<Solid> evaluate(const Expression& expression, const Options& options = {});
+QUOIN_API Result<Solid> evaluate(const Expression& expression, const Options& options = {},
+                                 OperationReport* report = nullptr);
 
 }  // namespace quoin

@@ -45,10 +45,12 @@ struct Source {
 QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Format> format = {},
                                      Trust trust = Trust::nothing);
 
-/// Solids of sources on one common grid, in their order: `options.grid` if given, else that of the exact sources (the
-/// finest one), else the one that fits all meshes together. Exact sources are re-expressed only where that is exact.
-/// `reports`, when given, receives one report a source (all zero for an exact one).
-/// Errors: those of `Solid::from_polygons`, "inexact-grid"; `file` is the source's name.
+/// Solids of sources on one common grid, in their order: `options.grid` if given, where exact sources are re-expressed
+/// only if that is exact; else of meshes alone the one that fits all of them together; else the common grid of the
+/// exact sources (quoin/solid.h, `unite`), to which meshes are snapped. Where a mesh lies beyond its world, all meshes
+/// get the grid that fits them, and the common grid is that of all. `reports`, when given, receives one report a
+/// source; of an exact one it tells of rounding to the common grid. Errors: those of `Solid::from_polygons`,
+/// "inexact-grid"; `file` is the source's name.
 QUOIN_API Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options = {},
                                            std::vector<ImportReport>* reports = nullptr);
 

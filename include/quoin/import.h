@@ -30,7 +30,8 @@ struct ImportOptions {
 
 /// What import did to the input. Counts are of points and triangles of the input.
 struct ImportReport {
-  /// An upper bound of the largest move of a point, model units; 0 exactly when none moved.
+  /// An upper bound of the largest move of a point, model units, with that of going to the common grid of several
+  /// sources; 0 exactly when none moved.
   double max_snap = 0;
   /// Distinct input points that became one grid point.
   std::uint64_t merged_points = 0;

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <functional>
 
+#include "quoin/report.h"
+
 namespace quoin {
 
 /// Called with a fraction in [0, 1] from the thread that called the operation. It never decreases; of an operation that
@@ -22,6 +24,8 @@ struct Options {
   std::function<void(const char*)> stage = {};
   /// Worker threads; 0 takes what the machine has. Results are the same bytes for any number.
   unsigned threads = 0;
+  /// What happens to operands that are not exact on their common grid.
+  GridRule grid_rule = GridRule::common;
 };
 
 }  // namespace quoin

@@ -16,6 +16,7 @@
 #include "quoin/grid.h"
 #include "quoin/import.h"
 #include "quoin/options.h"
+#include "quoin/report.h"
 #include "quoin/result.h"
 #include "quoin/triangles.h"
 
@@ -118,10 +119,9 @@ class QUOIN_API Solid {
   /// Errors: those of `to_triangles` and `write_bytes`, "unknown-format".
   Result<void> write(const std::string& path, const ExportOptions& options = {}) const;
 
-  /// The three operations, symmetric difference and complement; exact and total on one grid.
-  /// What the named functions below return as an error is thrown as `Exception`: operands of different grids
-  /// ("inexact-grid", even where a named function would find a common one), an operand that was trusted wrongly
-  /// ("inconsistent").
+  /// The three operations, symmetric difference and complement; exact and total on one grid. Operands of different
+  /// grids are put on a common one, as by the named functions below, whose report says what that took.
+  /// What those return as an error is thrown as `Exception`: an operand that was trusted wrongly ("inconsistent").
   friend QUOIN_API Solid operator+(const Solid& a, const Solid& b);
   friend QUOIN_API Solid operator-(const Solid& a, const Solid& b);
   friend QUOIN_API Solid operator&(const Solid& a, const Solid& b);
@@ -143,20 +143,27 @@ struct HalfSpace {
   std::array<std::string, 4> plane;
 };
 
-/// Errors of all: "cancelled", "inconsistent" (an operand trusted wrongly); of operands on different grids, which go to
-/// the finest one where that is exact, "inexact-grid" and "out-of-range", with `where` beginning with the number of the
-/// operand, "operand 3", from 0; of no operands, "no-operand".
-QUOIN_API Result<Solid> unite(const std::vector<Solid>& solids, const Options& options = {});
-QUOIN_API Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options = {});
+/// Operands of any grids go to a common one, a function of the operands as a set: exact where one is found on which all
+/// are; else what is not exact is rounded once, by less than 2^-28 of the size of all operands together
+/// (docs/doors.md). `report`, when given, receives what was rounded.
+/// Errors of all: "cancelled", "inconsistent" (an operand trusted wrongly); with GridRule::exact "inexact-grid",
+/// `where` being the number of the operand, "operand 3", from 0; of no operands, "no-operand".
+QUOIN_API Result<Solid> unite(const std::vector<Solid>& solids, const Options& options = {},
+                              OperationReport* report = nullptr);
+QUOIN_API Result<Solid> intersect(const std::vector<Solid>& solids, const Options& options = {},
+                                  OperationReport* report = nullptr);
 /// `minuend` minus all of `subtrahends`.
 QUOIN_API Result<Solid> difference(const Solid& minuend, const std::vector<Solid>& subtrahends,
-                                   const Options& options = {});
+                                   const Options& options = {}, OperationReport* report = nullptr);
 /// Points in an odd number of the solids.
-QUOIN_API Result<Solid> symmetric_difference(const std::vector<Solid>& solids, const Options& options = {});
+QUOIN_API Result<Solid> symmetric_difference(const std::vector<Solid>& solids, const Options& options = {},
+                                             OperationReport* report = nullptr);
 /// The points outside, and the boundary.
 QUOIN_API Solid complement(const Solid& solid);
-/// The parts of `solid` above and below a plane. Errors: "bad-plane" (not a plane of the solid's grid).
+/// The parts of `solid` above and below a plane. One whose numbers are longer than the grid's planes, as from floating
+/// point, is rounded, and reported. Errors: "bad-plane" (no normal, no numbers, too far away; with GridRule::exact also
+/// one that would be rounded).
 QUOIN_API Result<std::array<Solid, 2>> split(const Solid& solid, const HalfSpace& half_space,
-                                             const Options& options = {});
+                                             const Options& options = {}, OperationReport* report = nullptr);
 
 }  // namespace quoin

@@ -195,19 +195,23 @@ TEST(Expression, GridsGoToTheFinest) {
   EXPECT_EQ(volume(both.value()), "2");
 }
 
-// Grids far apart: what is on one cannot go to the other.
+// A tetrahedron with long normals, and boxes so far away that no grid holds all of them exactly.
 TEST(Expression, ErrorsNameTheOperand) {
-  const Grid far = Grid::with_step_and_origin("1/2", {"0", "0", "1e9"}).value();
+  const Grid far = Grid::with_step_and_origin("1024", {"0", "0", "1e11"}).value();
   const Solid a = box({0, 0, 0}, {1, 1, 1}), b = box({2, 0, 0}, {3, 1, 1}),
-              fine = box({0, 0, 1e9}, {1, 1, 1e9 + 1}, far);
+              wide = box({0, 0, 1e11}, {1024, 1024, 1e11 + 2048}, far),
+              fine = tetrahedron({Corner{-536870911, 1, 2}, Corner{536870909, -536870912, 7},
+                                  Corner{12345, 536870911, -536870912}, Corner{3, 5, 536870911}});
   const auto place = [](const Result<Solid>& result) { return result ? "none" : result.error().where; };
-  // The first that has to move, by its place among all; a solid that stands in several by the first of them.
-  EXPECT_EQ(place(unite({fine, fine, a, b})), "operand 2, vertex (0, 0, 0)");
-  EXPECT_EQ(place(difference(fine, {b, a})), "operand 1, vertex (2, 0, 0)");
-  EXPECT_EQ(place(difference(a, {fine})), "operand 0, vertex (0, 0, 0)");
-  EXPECT_EQ(place(evaluate((Expression(fine) + half("1", "0", "0", "0")) & ~(Expression(b) ^ a))),
-            "operand 2, vertex (2, 0, 0)");
-  EXPECT_EQ(unite({fine, a}).error().code, ErrorCode::out_of_range);
+  const Options exact{.grid_rule = GridRule::exact};
+  // The first that does not fit, by its place among all; a solid that stands in several by the first of them.
+  EXPECT_EQ(place(unite({wide, wide, a, fine}, exact)), "operand 3");
+  EXPECT_EQ(place(unite({wide, fine, a}, exact)), "operand 1");
+  EXPECT_EQ(place(difference(fine, {wide}, exact)), "operand 0");
+  EXPECT_EQ(place(evaluate((Expression(wide) + half("1", "0", "0", "0")) & ~(Expression(fine) ^ a), exact)),
+            "operand 2");
+  EXPECT_EQ(unite({wide, fine}, exact).error().code, ErrorCode::inexact_grid);
+  EXPECT_EQ(place(unite({wide, fine, a})), "none");
 
   EXPECT_EQ(place(evaluate(Expression(a) & half("1", "0", "0", "0") & half("1", "x", "0", "0"))), "operand 2");
   EXPECT_EQ(place(evaluate(Expression(a) - half("0", "0", "0", "1"))), "operand 1");
@@ -220,7 +224,8 @@ TEST(Expression, ErrorsNameTheOperand) {
   // What is evaluated in parts has no numbers: the place in the operand remains.
   Expression large = a;
   for (int i = 0; i < 300; ++i) large = large + box({0, 0, 0}, {i + 1.0, 1, 1}) + fine;
-  EXPECT_EQ(place(evaluate(large & (large - b))), "vertex (0, 0, 0)");
+  EXPECT_EQ(place(evaluate((large + wide) & (large - b), exact)), "");
+  EXPECT_EQ(evaluate((large + wide) & (large - b), exact).error().code, ErrorCode::inexact_grid);
 }
 
 }  // namespace
