@@ -34,6 +34,7 @@ Result<Source> parsed(const std::string& path, std::string_view bytes, std::opti
 
   auto mesh = io::read_mesh(bytes, *format);
   if (!mesh) return mesh.error();
+  source.notices = std::move(mesh.value().notices);
   source.mesh = {std::move(mesh.value().points), std::move(mesh.value().starts), std::move(mesh.value().corners)};
   return source;
 }
@@ -110,9 +111,10 @@ Result<std::vector<Solid>> built(std::vector<Source> sources, const ImportOption
     each.run = step_of(run, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     ImportReport report;
     auto solid = built(sources[i], each, report);
+    report.notices.insert(report.notices.begin(), sources[i].notices.begin(), sources[i].notices.end());
+    if (reports) (*reports)[i] = std::move(report);
     if (!solid) return in_file(solid.error(), sources[i].name);
     solids.push_back(std::move(solid).value());
-    if (reports) (*reports)[i] = report;
     sources[i] = {};  // large arrays are not kept longer than needed
   }
   return solids;

@@ -44,6 +44,8 @@ struct Arguments {
   std::string rounding_name = "best";
   std::optional<Grid> grid;
   std::optional<Format> format;
+  /// Of all commands that read meshes, but for eval.
+  Repair repair;
   Topology topology = Topology::manifold;
   unsigned threads = 0;
   bool json = false;

@@ -36,6 +36,8 @@ struct Source {
   PolygonMesh mesh = {};
   /// The solid of a .quoin file.
   std::optional<Solid> exact = {};
+  /// What the file holds besides.
+  std::vector<Notice> notices = {};
 };
 
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
@@ -47,7 +49,7 @@ QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Form
 
 /// Solids of sources on one common grid, in their order: `options.grid` if given, else that of the exact sources (the
 /// finest one), else the one that fits all meshes together. Exact sources are re-expressed only where that is exact.
-/// `reports`, when given, receives one report a source (all zero for an exact one).
+/// `reports`, when given, receives one report a source (all zero for an exact one), also of one that is refused.
 /// Errors: those of `Solid::from_polygons`, "inexact-grid"; `file` is the source's name.
 QUOIN_API Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options = {},
                                            std::vector<ImportReport>* reports = nullptr);

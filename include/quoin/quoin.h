@@ -25,6 +25,7 @@
 #include "quoin/model.h"
 #include "quoin/motion.h"
 #include "quoin/options.h"
+#include "quoin/repair.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
 #include "quoin/statistics.h"
