@@ -237,13 +237,19 @@ std::uint64_t edge_count(const Array<OpenEdge>& open) {
   return count;
 }
 
-/// Takes triangles without area out, and lets vertices that lie exactly on open edges close them.
+/// Takes triangles without area out, and lets vertices that lie exactly on open edges close them; changes nothing where
+/// the mesh is not closed then.
 bool seal_exactly(ImportedMesh& mesh) {
-  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+  Array<Triangle> triangles = mesh.triangles;
+  std::erase_if(triangles, [&](const Triangle& t) {
     return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   });
-  mesh.sealed_t_junctions = seal_t_junctions(mesh.points, mesh.triangles, Pairing::opposite);
-  return is_balanced(corners_of(mesh.triangles), mesh.points.size());
+  const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, Pairing::opposite);
+  if (!is_balanced(corners_of(triangles), mesh.points.size())) return false;
+
+  mesh.triangles = std::move(triangles);
+  mesh.sealed_t_junctions = sealed;
+  return true;
 }
 
 int128 enclosed_six_volumes(const ImportedMesh& mesh) {

@@ -16,11 +16,16 @@ bool is_closed(const Surface& surface) { return is_balanced(corners_of(surface.t
 /// The cures one after the other, each on a surface in canonical order.
 class Course {
  public:
+  /// Before welding nothing is sealed: along a crack that runs in its own direction edges overlap by chance.
   explicit Course(Surface& surface) : surface_(surface) {
+    surface_.drop_flat();
     surface_.sort();
-    clean();
   }
 
+  void seal() {
+    done_.sealed_t_junctions += surface_.seal();
+    surface_.sort();
+  }
   void weld(const Reach& reach) { note(weld_boundary(surface_, reach)); }
   void join(const Reach& reach) { note(join_t_junctions(surface_, reach)); }
   void drop_copies() {
@@ -48,16 +53,15 @@ class Course {
   void note(const Damage& damage) {
     if (damage.count == 0) return;
     done_.damages.push_back(damage);
-    clean();
+    surface_.drop_flat();
+    if (damage.kind == Defect::crack)
+      surface_.sort();
+    else
+      seal();
   }
   void note(const std::array<Damage, 2>& damages) {
     for (const Damage& damage : damages) note(damage);
   }
-  void clean() {
-    done_.sealed_t_junctions += surface_.tidy();
-    surface_.sort();
-  }
-
   Surface& surface_;
   Repaired done_;
 };
@@ -70,6 +74,7 @@ Repaired repair(Surface& surface, const Cures& cures, const Lattice& lattice) {
 
   if (cures.weld) course.weld(steps(*cures.weld));
   if (cures.all) course.weld(Reach::careful(surface.points));
+  course.seal();
   if (cures.t_junctions) course.join(steps(*cures.t_junctions));
   if (cures.all) course.join(Reach::careful(surface.points));
   if (cures.duplicates || cures.all) course.drop_copies();
@@ -88,6 +93,7 @@ Repaired repair(Surface& surface, const Cures& cures, const Lattice& lattice) {
 Array<Damage> diagnose(Surface surface) {
   Course course(surface);
   course.weld(Reach::careful(surface.points));
+  course.seal();
   course.join(Reach::careful(surface.points));
   course.drop_copies();
   course.orient();

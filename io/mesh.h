@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "quoin/format.h"
-#include "quoin/import.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
 

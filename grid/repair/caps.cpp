@@ -162,7 +162,7 @@ class Pieces {
     if (!hole.is_planar)
       return 64 * hole.squared_size() <= squared_distance(boxes_[piece].low, boxes_[piece].high);
     const int128 cap = length_by_sum(hole.normal);
-    return 4 * cap <= areas_[piece] && (16 * cap <= areas_[piece] || !is_terrain(piece, hole));
+    return 2 * cap <= areas_[piece] && (16 * cap <= areas_[piece] || !is_terrain(piece, hole));
   }
 
  private:

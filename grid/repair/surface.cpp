@@ -40,8 +40,11 @@ void Surface::sort() {
   std::sort(triangles.begin(), triangles.end());
 }
 
-std::uint64_t Surface::tidy() {
+void Surface::drop_flat() {
   std::erase_if(triangles, [&](const Triangle& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
+}
+
+std::uint64_t Surface::seal() {
   const std::uint64_t directed = seal_t_junctions(points, triangles, Pairing::opposite);
   return directed + seal_t_junctions(points, triangles, Pairing::any);
 }

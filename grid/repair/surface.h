@@ -22,8 +22,10 @@ struct Surface {
 
   /// Brings into canonical order, without the points that no triangle has.
   void sort();
-  /// Drops triangles without area; seals exact T-junctions, of any orientation. Returns the points put on edges.
-  std::uint64_t tidy();
+  /// Drops triangles without area.
+  void drop_flat();
+  /// Seals exact T-junctions, whichever way the triangles look. Returns the points put on edges.
+  std::uint64_t seal();
 };
 
 /// One kind of damage, grid steps.

@@ -11,6 +11,7 @@
 
 #include "quoin/arrays.h"
 #include "quoin/grid.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/repair.h"
 #include "quoin/result.h"
@@ -32,14 +33,6 @@ struct ImportOptions {
   Options run = {};
   /// Cures of an open surface and of shells that are inside out; none by default.
   Repair repair = {};
-};
-
-/// Something of a file that a solid does not hold, or that bounds nothing: passed over.
-struct Notice {
-  std::uint64_t count = 0;
-  /// "24 normals are passed over".
-  std::string sentence = {};
-  friend bool operator==(const Notice&, const Notice&) = default;
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.

@@ -24,6 +24,7 @@
 #include "quoin/import.h"
 #include "quoin/model.h"
 #include "quoin/motion.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/repair.h"
 #include "quoin/result.h"

@@ -72,7 +72,7 @@ struct Repair {
   /// Shells that look inwards and lie in no other one are turned round, with those directly inside that look outwards.
   bool invert_shells = false;
   /// Everything, with tolerances taken from the mesh. A gap is closed where it is at most 1/8 of the shortest edge at
-  /// its ends and 1/128 of the mesh's extent; a planar hole where its cap has at most 1/4 of the area of the surface
+  /// its ends and 1/128 of the mesh's extent; a planar hole where its cap has at most half of the area of the surface
   /// around it (areas by |x| + |y| + |z|) and that surface is no terrain over it; another hole where it is at most 1/8
   /// as large as that surface. Neighbours are oriented alike, as most of them are; closed shells are only turned as
   /// `invert_shells` does.

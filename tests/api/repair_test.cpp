@@ -299,6 +299,7 @@ TEST(Repair, FlapsAreDropped) {
     for (const std::size_t t : chosen) add_flap(mesh, t);
     add_flap(mesh, size_of(mesh) - 1);  // a flap on a flap, at the edge that both share
     mesh.triangles[mesh.triangles.size() - 3] = mesh.triangles[mesh.triangles.size() - 4];
+    mesh.points.back() += 1;
     append(mesh, terrain(1, 0, true, random));  // a loose square
     for (std::size_t i = mesh.points.size() - 12; i < mesh.points.size(); i += 3) mesh.points[i] += 100;
     shuffle(mesh, random);
