@@ -35,6 +35,7 @@ Result<Source> parsed(const std::string& path, std::string_view bytes, std::opti
 
   auto mesh = io::read_mesh(bytes, *format);
   if (!mesh) return mesh.error();
+  source.notices = std::move(mesh.value().notices);
   source.mesh = {std::move(mesh.value().points), std::move(mesh.value().starts), std::move(mesh.value().corners)};
   return source;
 }
@@ -170,6 +171,8 @@ class Building {
       options.run = step_of(run_, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
       auto solid = sources_[i].exact ? run_to_end(options.run, [&](const Options&) { return exact(i); })
                                      : imported(sources_[i].mesh, options, reports_[i]);
+      auto& notices = reports_[i].notices;
+      notices.insert(notices.begin(), sources_[i].notices.begin(), sources_[i].notices.end());
       if (!solid) return in_file(solid.error(), names_[i]);
       solids.push_back(std::move(solid).value());
       sources_[i] = {};  // large arrays are not kept longer than needed

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "api/access.h"
+#include "api/repair.h"
 #include "api/run.h"
 #include "booleans/dropped_shells.h"
 #include "booleans/resolve.h"
@@ -30,7 +31,20 @@ ImportReport report_of(const grid::ImportedMesh& mesh) {
   report.merged_points = mesh.merged_points;
   report.zero_area_triangles = mesh.zero_area_triangles;
   report.nonplanar_polygons = mesh.nonplanar_polygons;
+  report.sealed_t_junctions = mesh.sealed_t_junctions;
   return report;
+}
+
+/// Inside is winding number > 0, so that nothing is left of a body that is inside out among others.
+void note_dropped_shells(const booleans::DroppedShells& dropped, const grid::Lattice& lattice, ImportReport& report) {
+  const std::string place = grid::describe_point(lattice, dropped.lowest_corner);
+  report.dropped_where = "shell at " + place;
+  const bool one = dropped.count == 1;
+  const std::string count = std::to_string(dropped.count);
+  report.findings.push_back({Defect::inside_out, dropped.count, 0, "near " + place, "invert-shells",
+                             count + (one ? " shell is inside out" : " shells are inside out")});
+  report.notices.push_back({dropped.count, count + (one ? " shell is inside out and bounds nothing: dropped"
+                                                        : " shells are inside out and bound nothing: dropped")});
 }
 
 /// The body without crossings; adds to the report what that took, and what was lost.
@@ -43,8 +57,7 @@ Result<booleans::Body> resolved(const booleans::Body& mesh, const Grid& grid, co
   report->resolved_crossings = crossings;
   const booleans::DroppedShells dropped = booleans::dropped_shells(mesh, body.value());
   report->dropped_shells = dropped.count;
-  if (dropped.count > 0)
-    report->dropped_where = "shell at " + grid::describe_point(Access::lattice(grid), dropped.lowest_corner);
+  if (dropped.count > 0) note_dropped_shells(dropped, Access::lattice(grid), *report);
   return body;
 }
 
@@ -58,9 +71,16 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
 
   if (run.stage) run.stage("snap, weld, validate");
   if (run.progress) run.progress(0);
-  auto mesh = import(Access::lattice(grid.value()));
+  const auto cures = cures_of(options.repair);
+  if (!cures) return cures.error();
+  grid::Curing curing{cures.value()};
+  auto mesh = import(Access::lattice(grid.value()), curing);
+  if (report && mesh) *report = report_of(mesh.value());
+  if (report) {
+    report->findings = std::move(curing.findings);
+    report->repairs = std::move(curing.repairs);
+  }
   if (!mesh) return mesh.error();
-  if (report) *report = report_of(mesh.value());
 
   booleans::Body body;
   body.grid_points = std::move(mesh.value().points);
@@ -161,8 +181,8 @@ Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const
   const auto coordinates = doubles(points, storage);
   const auto corners = unsigned_indices(triangles);
 
-  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice) {
-    return grid::import_triangles(coordinates, corners, lattice);
+  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice, grid::Curing& curing) {
+    return grid::import_triangles(coordinates, corners, lattice, grid::Facing::out, &curing);
   });
 }
 
@@ -180,9 +200,17 @@ Result<Solid> Solid::from_polygons(Coordinates points, Indices starts, Indices c
   const auto coordinates = doubles(points, storage);
   const auto first = unsigned_indices(starts), all = unsigned_indices(corners);
 
-  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice) {
-    return grid::import_polygons(coordinates, first, all, lattice);
+  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice, grid::Curing& curing) {
+    return grid::import_polygons(coordinates, first, all, lattice, &curing);
   });
+}
+
+Result<Diagnosis> diagnose(Coordinates points, Indices starts, Indices corners, const ImportOptions& options) {
+  ImportReport report;
+  const auto solid = Solid::from_polygons(points, starts, corners, options, &report);
+  if (!solid && solid.error().code != ErrorCode::open_boundary && solid.error().code != ErrorCode::inside_out)
+    return solid.error();
+  return Diagnosis{std::move(report.findings)};
 }
 
 }  // namespace quoin

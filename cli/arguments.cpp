@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, Rounding>, 6> roundings = {
 /// Values that still need a look after the words are parsed.
 struct RawOptions {
   std::string plane;
-  std::optional<std::string> step, format, topology, rounding;
+  std::optional<std::string> step, format, topology, rounding, repair;
   Words rotate, translate, mirror, scale, set;
   std::vector<std::string> order;  // of the motions
   bool version = false;
@@ -62,7 +62,8 @@ std::string rounding_names() {
 Error usage(std::string message) { return {.code = ErrorCode::usage, .message = std::move(message)}; }
 
 bool value_option(const std::string& word) {
-  return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format";
+  return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format" ||
+         word == "--repair";
 }
 
 bool answered(const Words& words, std::string_view long_name, std::string_view short_name) {
@@ -140,6 +141,11 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                 a.command == Command::check || a.command == Command::eval
                     ? "Changes nothing here: all is proved."
                     : "Skip the proof that no operand crosses itself.");
+  if (a.command != Command::eval)
+    app->add_option("--repair", raw.repair,
+                    "NAME[=VALUE],...: cures for meshes that are open or inside out, each reported: weld=TOL, "
+                    "t-junctions=TOL, duplicates, orient, orient=solid, caps, caps=SIZE, invert-shells; all: every one, "
+                    "with tolerances taken from the mesh. `check` says which one is needed.");
   app->add_option("--format", raw.format,
                   format_names() +
                       ": what \"-\" is, and files without a known extension; also chooses among the formats of an "
@@ -285,6 +291,11 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
   if (raw.format) {
     a.format = format_called(*raw.format);
     if (!a.format) return usage("--format must be " + format_names() + ", not \"" + *raw.format + "\"");
+  }
+  if (raw.repair) {
+    const auto repair = Repair::parse(*raw.repair);
+    if (!repair) return usage("--repair: " + repair.error().message);
+    a.repair = repair.value();
   }
   if (raw.topology) {
     if (*raw.topology != "manifold" && *raw.topology != "indexed") {

@@ -45,6 +45,8 @@ struct Arguments {
   std::optional<Grid> grid;
   GridRule grid_rule = GridRule::common;
   std::optional<Format> format;
+  /// Of all commands that read meshes, but for eval.
+  Repair repair;
   Topology topology = Topology::manifold;
   unsigned threads = 0;
   bool json = false;

@@ -111,10 +111,18 @@ void warn_of_nothing_left(const std::string& file, const ImportReport& report) {
   print_warning(what, file, report.empty_on);
 }
 
+/// What was passed over and what cures did, a line each; dropped shells have a warning of their own.
+void say_notices(const std::string& file, const ImportReport& report) {
+  for (std::size_t i = 0; i + (report.dropped_shells > 0 ? 1 : 0) < report.notices.size(); ++i)
+    print_notice(report.notices[i].sentence, file);
+  for (const Finding& repair : report.repairs) print_notice("repaired: " + repair.sentence + " (" + repair.where + ")", file);
+}
+
 /// Says what import could not keep.
 void warn_of_losses(const Arguments& a, const std::vector<MeshImport>& imports) {
   if (a.quiet) return;
   for (const auto& [file, report] : imports) {
+    say_notices(file, report);
     warn_of_dropped_shells(file, report);
     warn_of_nothing_left(file, report);
   }
@@ -141,10 +149,15 @@ Result<Operands> load(Session& session, Trust trust) {
 
   std::vector<ImportReport> reports;
   auto solids = polled_stage(session, Stage::build, [&] {
-    const ImportOptions options = {.grid = a.grid, .trust = trust, .run = session.options("building")};
+    const ImportOptions options = {
+        .grid = a.grid, .trust = trust, .run = session.options("building"), .repair = a.repair};
     return build(std::move(sources), options, &reports);
   });
-  if (!solids) return solids.error();
+  if (!solids) {
+    for (const ImportReport& report : reports)
+      if (!report.findings.empty()) keep_findings(report.findings);
+    return solids.error();
+  }
 
   Operands operands{std::move(solids).value(), {}};
   for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
@@ -372,10 +385,18 @@ Result<void> run_info(Session& session) {
   return say(session.arguments, std::move(object), info_text(solid, info.value()) + import_summary(operands.value()));
 }
 
+/// What is wrong with a mesh that is refused, all of it.
+void say_findings(const Arguments& a) {
+  if (!a.quiet && !a.json) static_cast<void>(print(findings_text(refused_findings())));
+}
+
 Result<void> run_check(Session& session) {
   const Arguments& a = session.arguments;
   const auto operands = load(session, Trust::nothing);
-  if (!operands) return operands.error();
+  if (!operands) {
+    say_findings(a);
+    return operands.error();
+  }
 
   const ImportReport& report = operands.value().imports[0].report;
   Json object;
@@ -384,7 +405,8 @@ Result<void> run_check(Session& session) {
   object["bounded"] = operands.value().solids[0].is_bounded();
   object.update(import_json(a.inputs[0], report));
   object["step"] = operands.value().solids[0].grid().step();
-  return say(a, std::move(object), a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report));
+  return say(a, std::move(object), a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report) +
+                                                        findings_text(report.findings));
 }
 
 /// Every command that writes.

@@ -49,6 +49,12 @@ void print_line(std::string line) {
 
 std::string dump(const Json& object) { return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+/// Of the mesh that is refused. Never destroyed.
+std::vector<Finding>& kept_findings() {
+  static std::vector<Finding>& findings = *new std::vector<Finding>;
+  return findings;
+}
+
 const char* yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 /// "6,412"
@@ -158,7 +164,35 @@ Json import_json(const std::string& file, const ImportReport& report) {
   object["resolved_crossings"] = report.resolved_crossings;
   object["dropped_shells"] = report.dropped_shells;
   object["dropped_where"] = report.dropped_where;
+  object["sealed_t_junctions"] = report.sealed_t_junctions;
+  object["findings"] = findings_json(report.findings);
+  object["repairs"] = findings_json(report.repairs);
+  Json notices = Json::array();
+  for (const Notice& notice : report.notices)
+    notices.push_back({{"count", notice.count}, {"sentence", notice.sentence}});
+  object["notices"] = std::move(notices);
   return object;
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& f : findings)
+    list.push_back({{"kind", to_string(f.kind)},
+                    {"count", f.count},
+                    {"size", f.size},
+                    {"where", f.where},
+                    {"cure", f.cure},
+                    {"sentence", f.sentence}});
+  return list;
+}
+
+std::string findings_text(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& f : findings) {
+    text += "  " + f.sentence + " (" + f.where + ")";
+    text += f.cure.empty() ? "\n" : "; cure: --repair " + f.cure + "\n";
+  }
+  return text;
 }
 
 Json export_json(const ExportReport& report) {
@@ -231,6 +265,7 @@ std::string import_text(const ImportReport& report) {
                 {"merged points", std::to_string(report.merged_points)},
                 {"zero-area triangles", std::to_string(report.zero_area_triangles)},
                 {"nonplanar polygons", std::to_string(report.nonplanar_polygons)},
+                {"T-junctions sealed", std::to_string(report.sealed_t_junctions)},
                 {"crossings resolved", std::to_string(report.resolved_crossings)},
                 {"shells dropped", std::to_string(report.dropped_shells)}});
 }
@@ -277,6 +312,7 @@ void print_error(const Error& error, bool json) {
     Json object;
     object["error"] = {
         {"code", to_string(error.code)}, {"message", error.message}, {"file", error.file}, {"where", error.where}};
+    if (!kept_findings().empty()) object["findings"] = findings_json(kept_findings());
     // The sentence below is said in any case.
     static_cast<void>(print(object));
   }
@@ -284,6 +320,12 @@ void print_error(const Error& error, bool json) {
   while (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
   print_line("quoin: " + sentence + place(error.file, error.where) + " [" + to_string(error.code) + "]");
 }
+
+void keep_findings(const std::vector<Finding>& findings) { kept_findings() = findings; }
+
+const std::vector<Finding>& refused_findings() { return kept_findings(); }
+
+void print_notice(const std::string& sentence, const std::string& file) { print_line("quoin: " + file + ": " + sentence); }
 
 void print_warning(const std::string& sentence, const std::string& file, const std::string& where) {
   print_line("quoin: warning: " + sentence + place(file, where));

@@ -94,8 +94,17 @@ std::size_t peak_memory();
 Result<void> print(const std::string& text);
 /// The object on one line; bytes of file names that are not UTF-8 become U+FFFD.
 Result<void> print(const Json& object);
-/// `quoin: <sentence> (<file>, <where>) [code]` on stderr, with `json` also {"error": {...}} on stdout.
+/// `quoin: <sentence> (<file>, <where>) [code]` on stderr, with `json` also {"error": {...}} on stdout, and beside it
+/// "findings", where there are some.
 void print_error(const Error& error, bool json);
+/// What print_error is to say besides, of the mesh that is refused; and that.
+void keep_findings(const std::vector<Finding>& findings);
+const std::vector<Finding>& refused_findings();
+Json findings_json(const std::vector<Finding>& findings);
+/// A line each, with cure and place.
+std::string findings_text(const std::vector<Finding>& findings);
+/// `quoin: <file>: <sentence>` on stderr.
+void print_notice(const std::string& sentence, const std::string& file);
 /// `quoin: warning: <sentence> (<file>, <where>)` on stderr.
 void print_warning(const std::string& sentence, const std::string& file, const std::string& where);
 

@@ -9,6 +9,7 @@
 #include "grid/area.h"
 #include "grid/balance.h"
 #include "grid/cut.h"
+#include "grid/diagnosis.h"
 #include "grid/lists/loops.h"
 #include "grid/lists/stretches.h"
 #include "grid/seal.h"
@@ -195,13 +196,8 @@ Collected add_polygons(const Faces& f, const Array<std::uint32_t>& ids, Imported
   return all;
 }
 
-/// The first face, in input order, with an edge that is open; sealing and cutting keep the sum of directed edges, so
-/// there is one.
-Error open_boundary(const Faces& f, const Array<std::uint32_t>& ids, const ImportedMesh& mesh) {
-  const Array<OpenEdge> open = open_edges(mesh.triangles);
-  std::uint64_t count = 0;
-  for (const OpenEdge& e : open) count += e.excess;
-
+/// The first face, in input order, with an edge that is open.
+std::string first_open_face(const Faces& f, const Array<std::uint32_t>& ids, const Array<OpenEdge>& open) {
   const auto key = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
   const auto is_open = [&](std::uint32_t a, std::uint32_t b) {
     const auto found =
@@ -210,21 +206,71 @@ Error open_boundary(const Faces& f, const Array<std::uint32_t>& ids, const Impor
     return found != open.end() && found->from == a && found->to == b;
   };
 
-  Error error{ErrorCode::open_boundary, "the surface is not closed: " + std::to_string(count) +
-                                            (count == 1 ? " edge is" : " edges are") +
-                                            " not balanced by the reverse edge of a neighbouring face"};
   for (std::size_t i = 0; i < f.count(); ++i) {
     const auto face = f.face(i);
     for (std::size_t j = 0; j < face.size(); ++j) {
       const std::uint32_t a = face[j], b = face[next_in_loop(j, face.size())];
       if (!(ids.empty() ? is_open(a, b) : is_open(ids[a], ids[b]))) continue;
-      error.where = "face " + std::to_string(i) + ", edge " + describe_point(&f.points[3 * std::size_t{a}]) + " - " +
-                    describe_point(&f.points[3 * std::size_t{b}]);
-      return error;
+      return "face " + std::to_string(i) + ", edge " + describe_point(&f.points[3 * std::size_t{a}]) + " - " +
+             describe_point(&f.points[3 * std::size_t{b}]);
     }
   }
   assert(false);
-  return error;
+  return {};
+}
+
+/// "the surface is not closed: ...: what is wrong first (what would cure it)".
+Error open_boundary(std::uint64_t edges, std::string where, const std::vector<Finding>& findings) {
+  std::string message = "the surface is not closed: " + std::to_string(edges) + (edges == 1 ? " edge is" : " edges are") +
+                        " not balanced by the reverse edge of a neighbouring face";
+  if (!findings.empty()) {
+    message += ": " + findings[0].sentence;
+    if (!findings[0].cure.empty()) message += " (repair " + findings[0].cure + ")";
+    if (where.empty()) where = findings[0].where;
+  }
+  return {ErrorCode::open_boundary, std::move(message), {}, std::move(where)};
+}
+
+std::uint64_t edge_count(const Array<OpenEdge>& open) {
+  std::uint64_t count = 0;
+  for (const OpenEdge& e : open) count += e.excess;
+  return count;
+}
+
+/// Takes triangles without area out, and lets vertices that lie exactly on open edges close them; changes nothing where
+/// the mesh is not closed then.
+bool seal_exactly(ImportedMesh& mesh) {
+  Array<Triangle> triangles = mesh.triangles;
+  std::erase_if(triangles, [&](const Triangle& t) {
+    return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  });
+  const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, Pairing::opposite);
+  if (!is_balanced(corners_of(triangles), mesh.points.size())) return false;
+
+  mesh.triangles = std::move(triangles);
+  mesh.sealed_t_junctions = sealed;
+  return true;
+}
+
+int128 enclosed_six_volumes(const ImportedMesh& mesh) {
+  int128 sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const GridPoint &p = mesh.points[t[0]], &q = mesh.points[t[1]], &r = mesh.points[t[2]];
+    const auto minor = [&](int i, int j) { return std::int64_t{q[i]} * r[j] - std::int64_t{q[j]} * r[i]; };
+    sum += int128(p[0]) * minor(1, 2) + int128(p[1]) * minor(2, 0) + int128(p[2]) * minor(0, 1);
+  }
+  return sum;
+}
+
+/// Cures as asked; whether the mesh is closed then.
+bool cure(ImportedMesh& mesh, Curing& curing, const Lattice& lattice) {
+  Surface surface{std::move(mesh.points), std::move(mesh.triangles)};
+  const Repaired repaired = repair(surface, curing.cures, lattice);
+  mesh.points = std::move(surface.points);
+  mesh.triangles = std::move(surface.triangles);
+  mesh.sealed_t_junctions += repaired.sealed_t_junctions;
+  curing.repairs = repairs_of(repaired.damages, lattice);
+  return is_balanced(corners_of(mesh.triangles), mesh.points.size());
 }
 
 /// Names the shell of the most negative volume.
@@ -253,7 +299,7 @@ Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& m
   return f.triangles ? add_triangles(f, ids, mesh) : add_polygons(f, ids, mesh);
 }
 
-Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facing) {
+Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facing, Curing* curing) {
   if (const auto checked = check_indices(f); !checked) return checked.error();
 
   ImportedMesh mesh;
@@ -272,23 +318,41 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
 
   const Collected& all = gathered->value();
   mesh.zero_area_triangles = all.zero_area + all.slivers.size();
-  if (!seal(mesh.points, mesh.triangles, all.slivers) ||
-      !(balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size())))
-    return open_boundary(f, ids, mesh);
-  if (all.volume < 0 && facing == Facing::out) return inside_out(mesh, lattice);
-  return Result<ImportedMesh>(std::move(mesh));
+  int128 volume = all.volume;
+  bool is_closed = seal(mesh.points, mesh.triangles, all.slivers) &&
+                   (balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size()));
+  // Until here the sum of the directed edges is that of the input.
+  Array<OpenEdge> open;
+  if (!is_closed) {
+    open = open_edges(mesh.triangles);
+    is_closed = seal_exactly(mesh);
+  }
+  const bool is_cured = curing != nullptr && curing->cures.any();
+  if (is_cured) {
+    is_closed = cure(mesh, *curing, lattice);
+    volume = enclosed_six_volumes(mesh);
+  }
+  const bool is_sound = is_closed && (volume >= 0 || facing == Facing::any);
+  if (is_sound) return Result<ImportedMesh>(std::move(mesh));
+
+  std::vector<Finding> findings = findings_of(diagnose({mesh.points, mesh.triangles}), lattice);
+  if (curing != nullptr) curing->findings = findings;
+  if (is_closed) return inside_out(mesh, lattice);
+  return is_cured ? open_boundary(edge_count(open_edges(mesh.triangles)), {}, findings)
+                  : open_boundary(edge_count(open), first_open_face(f, ids, open), findings);
 }
 
 }  // namespace
 
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
-                                     std::span<const std::uint32_t> corners, const Lattice& lattice) {
-  return import({points, starts, corners, false}, lattice, Facing::out);
+                                     std::span<const std::uint32_t> corners, const Lattice& lattice,
+                                     Curing* curing) {
+  return import({points, starts, corners, false}, lattice, Facing::out, curing);
 }
 
 Result<ImportedMesh> import_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                      const Lattice& lattice, Facing facing) {
-  return import({points, {}, triangles, true}, lattice, facing);
+                                      const Lattice& lattice, Facing facing, Curing* curing) {
+  return import({points, {}, triangles, true}, lattice, facing, curing);
 }
 
 }  // namespace quoin::grid

@@ -11,6 +11,7 @@
 #include "exact/geometry.h"
 #include "grid/grid.h"
 #include "grid/lists/array.h"
+#include "grid/repair.h"
 #include "quoin/result.h"
 
 namespace quoin::grid {
@@ -31,6 +32,8 @@ struct ImportedMesh {
   std::uint64_t zero_area_triangles = 0;
   /// Polygons of more than three corners that were not planar after snapping.
   std::uint64_t nonplanar_polygons = 0;
+  /// Vertices put on open edges on which they lie exactly, so that these closed.
+  std::uint64_t sealed_t_junctions = 0;
 };
 
 /// Which way the faces of a mesh may look.
@@ -39,19 +42,30 @@ enum class Facing {
   any,  // also nowhere: of what has been rounded nothing may be left
 };
 
-/// Snaps, welds, cuts polygons into triangles, seals T-junctions of zero-area triangles, proves closedness and checks
+/// What is asked of import beyond what it does always, and what it found. Points and triangles of a mesh that was cured
+/// are in canonical order (repair/surface.h).
+struct Curing {
+  Cures cures = {};
+  std::vector<Finding> findings = {};  // what is wrong, where the mesh is refused for it
+  std::vector<Finding> repairs = {};   // what was done
+};
+
+/// Snaps, welds, cuts polygons into triangles, seals T-junctions, those of zero-area triangles and, where the surface
+/// is open, those of vertices that lie exactly on open edges, cures what it is asked to, proves closedness and checks
 /// orientation; all exact, deterministic, O(n log n).
 /// `points`: 3 doubles per vertex, model units. Polygon i has the corners corners[starts[i]] .. corners[starts[i+1]-1],
 /// counter-clockwise from outside; `starts` is non-decreasing and has one entry more than there are polygons, or none.
 /// A coordinate goes to the nearest grid coordinate, ties to even. Every vertex is snapped, used or not.
 /// Errors: "non-finite", "out-of-range" (naming the vertex and a step that would work; also for more than 2^31 points
 /// or corners), "bad-index" (also for broken `starts`), "no-faces" (there are some, but none has an area before
-/// snapping: area.h), "open-boundary" (`where` is one edge with its ends in model units and its face), "inside-out"
-/// (`where` is the lowest corner of the shell of the most negative volume).
+/// snapping: area.h), "open-boundary" (`where` is one edge with its ends in model units and its face, of a mesh that
+/// was cured the first finding's place; the sentence has the first finding and its cure), "inside-out" (`where` is the
+/// lowest corner of the shell of the most negative volume).
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
-                                     std::span<const std::uint32_t> corners, const Lattice& lattice);
+                                     std::span<const std::uint32_t> corners, const Lattice& lattice,
+                                     Curing* curing = nullptr);
 /// The same for triangles, three indices each. A length that is not a multiple of 3 is "bad-index".
 Result<ImportedMesh> import_triangles(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                                      const Lattice& lattice, Facing facing = Facing::out);
+                                      const Lattice& lattice, Facing facing = Facing::out, Curing* curing = nullptr);
 
 }  // namespace quoin::grid

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <numeric>
+#include <tuple>
 
 #include "grid/balance.h"
 #include "grid/cut.h"
@@ -32,25 +34,35 @@ Line line_through(const GridPoint& p, const GridPoint& q) {
 /// cancel, and there are no more splits than segments. The neighbours' edges, the segments reversed, are split alike.
 class Sealer {
  public:
-  Sealer(const Array<GridPoint>& points, Array<Triangle>& triangles, const Array<std::uint32_t>& slivers)
-      : points_(points), triangles_(triangles), slivers_(slivers) {}
+  Sealer(const Array<GridPoint>& points, Array<Triangle>& triangles) : points_(points), triangles_(triangles) {}
 
-  bool run() {
-    find_segments();
-    if (!find_neighbours()) return false;
-    sweep_all_lines();
-    for (std::uint32_t t : slivers_) triangles_[t] = {0, 0, 0};
+  bool seal_slivers(const Array<std::uint32_t>& slivers) {
+    find_segments(slivers);
+    if (!find_neighbours(slivers)) return false;
+    sweep_all_lines(Pairing::opposite);
+    assert(waiting_[0].empty() && waiting_[1].empty());
+    for (std::uint32_t t : slivers) triangles_[t] = {0, 0, 0};
     cut_neighbours();
     const auto is_dead = [](const Triangle& t) { return t[0] == t[1]; };
     triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(), is_dead), triangles_.end());
     return true;
   }
 
+  std::uint64_t seal_open_edges(Pairing pairing) {
+    find_open_segments(pairing);
+    sweep_all_lines(pairing);
+    cut_neighbours();
+    return splits_.size();
+  }
+
  private:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
   struct Segment {
     std::uint32_t from, to;
     std::uint32_t neighbour = 0;  // 3 * triangle + k: its edge from corner k on is the reversed segment
-    std::uint32_t partner = 0;
+    std::uint32_t partner = none;
+    std::uint32_t since = none;  // the vertex at which its last piece begins
     bool ended = false;
   };
   struct Event {
@@ -61,15 +73,15 @@ class Sealer {
     std::uint32_t neighbour, vertex;
   };
 
-  void find_segments() {
+  void find_segments(const Array<std::uint32_t>& slivers) {
     Array<Triangle> flat;
-    for (std::uint32_t t : slivers_) flat.push_back(triangles_[t]);
+    for (std::uint32_t t : slivers) flat.push_back(triangles_[t]);
     for (const OpenEdge& e : open_edges(flat))
       for (std::uint64_t i = 0; i < e.excess; ++i) segments_.push_back({e.from, e.to});
   }
 
   /// Segments between the same ends run the same way and stand together, ordered by (smaller end, larger end).
-  bool find_neighbours() {
+  bool find_neighbours(const Array<std::uint32_t>& slivers) {
     const auto ends = [](std::uint32_t a, std::uint32_t b) { return std::pair{std::min(a, b), std::max(a, b)}; };
     Array<std::uint8_t> is_end(points_.size());
     for (const Segment& s : segments_) is_end[s.from] = is_end[s.to] = 1;
@@ -77,7 +89,7 @@ class Sealer {
     Array<std::uint32_t> found(segments_.size());  // at the first of equal segments: how many have a neighbour
     std::size_t missing = segments_.size(), next_sliver = 0;
     for (std::uint32_t t = 0; t < triangles_.size() && missing > 0; ++t) {
-      if (next_sliver < slivers_.size() && slivers_[next_sliver] == t) {
+      if (next_sliver < slivers.size() && slivers[next_sliver] == t) {
         ++next_sliver;
         continue;
       }
@@ -100,9 +112,44 @@ class Sealer {
     return missing == 0;
   }
 
+  /// The reverses of all open edges, each with the triangle that it is open at; in an order of the positions alone.
+  void find_open_segments(Pairing pairing) {
+    struct Use {
+      std::uint32_t low, high, half;
+      bool forward;
+    };
+    Array<Use> uses;
+    uses.reserve(3 * triangles_.size());
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
+        uses.push_back({std::min(a, b), std::max(a, b), 3 * t + k, a < b});
+      }
+    std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+      return std::tie(a.low, a.high, a.half) < std::tie(b.low, b.high, b.half);
+    });
+
+    for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+      std::int64_t sum = 0;
+      for (; j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high; ++j)
+        sum += uses[j].forward ? 1 : -1;
+      std::int64_t open = pairing == Pairing::any ? static_cast<std::int64_t>((j - i) % 2) : std::abs(sum);
+      for (std::size_t u = i; u < j && open > 0; ++u) {
+        if (uses[u].forward != (sum > 0)) continue;
+        const auto [from, to] = sum > 0 ? std::pair{uses[u].high, uses[u].low} : std::pair{uses[u].low, uses[u].high};
+        segments_.push_back({from, to, uses[u].half});
+        --open;
+      }
+    }
+    std::sort(segments_.begin(), segments_.end(), [&](const Segment& s, const Segment& t) {
+      return std::tie(points_[s.from], points_[s.to], s.neighbour) <
+             std::tie(points_[t.from], points_[t.to], t.neighbour);
+    });
+  }
+
   bool is_forward(const Segment& s) const { return points_[s.from] < points_[s.to]; }
 
-  void sweep_all_lines() {
+  void sweep_all_lines(Pairing pairing) {
     Array<std::pair<Line, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
       order.emplace_back(line_through(points_[segments_[i].from], points_[segments_[i].to]), i);
@@ -120,36 +167,67 @@ class Sealer {
       std::sort(events.begin(), events.end(), [&](const Event& e, const Event& f) {
         return e.vertex != f.vertex ? points_[e.vertex] < points_[f.vertex] : e.segment < f.segment;
       });
-      sweep(events);
+      sweep(events, pairing);
     }
   }
 
-  void sweep(const Array<Event>& events) {
-    std::array<Array<std::uint32_t>, 2> single;  // backward, forward: without a partner beyond this vertex
+  void sweep(const Array<Event>& events, Pairing pairing) {
+    const auto wait = [&](std::uint32_t i) {
+      waiting_[pairing == Pairing::opposite && is_forward(segments_[i]) ? 1 : 0].push_back(i);
+    };
     for (std::size_t begin = 0, end = 0; begin < events.size(); begin = end) {
       const std::uint32_t vertex = events[begin].vertex;
-      single[0].clear();
-      single[1].clear();
       for (end = begin; end < events.size() && events[end].vertex == vertex; ++end) {
         Segment& s = segments_[events[end].segment];
         s.ended = !events[end].start;
-        if (events[end].start) single[is_forward(s) ? 1 : 0].push_back(events[end].segment);
+        if (!events[end].start) continue;
+        s.since = vertex;
+        wait(events[end].segment);
       }
 
       for (std::size_t i = begin; i < end; ++i) {
         if (events[i].start) continue;
         const std::uint32_t widow = segments_[events[i].segment].partner;
-        if (segments_[widow].ended) continue;
-        single[is_forward(segments_[widow]) ? 1 : 0].push_back(widow);
-        splits_.push_back({segments_[widow].neighbour, vertex});
+        if (widow == none || segments_[widow].ended) continue;
+        segments_[widow].partner = none;
+        split(widow, vertex);
+        wait(widow);
       }
-
-      assert(single[0].size() == single[1].size());
-      for (std::size_t i = 0; i < single[0].size(); ++i) {
-        segments_[single[0][i]].partner = single[1][i];
-        segments_[single[1][i]].partner = single[0][i];
-      }
+      pair_waiting(vertex, pairing);
     }
+    waiting_[0].clear();
+    waiting_[1].clear();
+  }
+
+  /// What waits longest stays; ended segments are dropped where they come up.
+  void pair_waiting(std::uint32_t vertex, Pairing pairing) {
+    auto &first = waiting_[0], &second = waiting_[pairing == Pairing::opposite ? 1 : 0];
+    const auto take = [&](Array<std::uint32_t>& from) {
+      while (!from.empty() && segments_[from.back()].ended) from.pop_back();
+      if (from.empty()) return none;
+      const std::uint32_t last = from.back();
+      from.pop_back();
+      return last;
+    };
+
+    for (;;) {
+      const std::uint32_t a = take(first);
+      if (a == none) return;
+      const std::uint32_t b = take(second);
+      if (b == none) return first.push_back(a);
+      split(a, vertex);
+      split(b, vertex);
+      segments_[a].partner = b;
+      segments_[b].partner = a;
+    }
+  }
+
+  /// Lets a new piece of a segment begin at a vertex inside.
+  void split(std::uint32_t segment, std::uint32_t vertex) {
+    Segment& s = segments_[segment];
+    if (s.since == vertex) return;
+    s.since = vertex;
+    splits_.push_back({s.neighbour, vertex});
   }
 
   /// A neighbour with points on its edges is a convex polygon with collinear corners.
@@ -182,9 +260,9 @@ class Sealer {
 
   const Array<GridPoint>& points_;
   Array<Triangle>& triangles_;
-  const Array<std::uint32_t>& slivers_;
   Array<Segment> segments_;
   Array<Split> splits_;
+  std::array<Array<std::uint32_t>, 2> waiting_;  // backward, forward: without a partner as yet
 };
 
 }  // namespace
@@ -197,7 +275,11 @@ bool collinear(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
 }
 
 bool seal(const Array<GridPoint>& points, Array<Triangle>& triangles, const Array<std::uint32_t>& slivers) {
-  return slivers.empty() || Sealer(points, triangles, slivers).run();
+  return slivers.empty() || Sealer(points, triangles).seal_slivers(slivers);
+}
+
+std::uint64_t seal_t_junctions(const Array<GridPoint>& points, Array<Triangle>& triangles, Pairing pairing) {
+  return Sealer(points, triangles).seal_open_edges(pairing);
 }
 
 }  // namespace quoin::grid

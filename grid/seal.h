@@ -1,5 +1,6 @@
 /// \file
-/// Import, step 4: triangles of zero area go, and their corners become points on their neighbours' edges.
+/// Import, step 4: triangles of zero area go, and their corners become points on their neighbours' edges; so do vertices
+/// that lie exactly on the open edges of others.
 #pragma once
 
 #include <array>
@@ -22,5 +23,18 @@ bool collinear(const exact::GridPoint& p, const exact::GridPoint& q, const exact
 /// no other triangle has zero area.
 bool seal(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles,
           const Array<std::uint32_t>& slivers);
+
+/// Which edges close each other.
+enum class Pairing {
+  opposite,  // of opposite ways: open edges, by how often they are open
+  any,       // edges that an odd number of triangles share, whichever way these look
+};
+
+/// Splits open edges at ends of others that lie exactly on them, wherever a stretch of the line between is then closed;
+/// neighbours are cut as in `seal`. Where all edges of a line close each other, all of it is closed. Returns the number
+/// of points put on edges. O(n log n). No triangle has zero area. Does not depend on the order of points and triangles,
+/// but for which of several equal edges is split.
+std::uint64_t seal_t_junctions(const Array<exact::GridPoint>& points,
+                               Array<std::array<std::uint32_t, 3>>& triangles, Pairing pairing);
 
 }  // namespace quoin::grid

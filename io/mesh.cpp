@@ -18,6 +18,12 @@ Error no_faces(const PolygonMesh& mesh, std::size_t size) {
 
 }  // namespace
 
+void PolygonMesh::pass_over(std::uint64_t count, std::string_view one, std::string_view many) {
+  if (count == 0) return;
+  notices.push_back({count, std::to_string(count) + " " + std::string(count == 1 ? one : many) +
+                                (count == 1 ? " is passed over" : " are passed over")});
+}
+
 std::string_view without_byte_order_mark(std::string_view bytes) {
   return bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
 }

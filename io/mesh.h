@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "quoin/format.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
 
@@ -24,6 +25,11 @@ struct PolygonMesh {
   std::vector<double> points;
   std::vector<std::uint32_t> starts = {0};
   std::vector<std::uint32_t> corners;
+  /// What the file holds besides, one a kind: "24 normals are passed over".
+  std::vector<Notice> notices = {};
+
+  /// Takes note of what is passed over, if there is any: `one` or `many` of it.
+  void pass_over(std::uint64_t count, std::string_view one, std::string_view many);
 };
 
 /// By the file name's extension, any case. Errors: "unknown-format".

@@ -1,4 +1,4 @@
-// Wavefront OBJ: v and f; every other statement is passed over.
+// Wavefront OBJ: v, f and fo; every other statement is passed over, and counted where it says more than a name.
 #include <algorithm>
 #include <array>
 
@@ -28,6 +28,7 @@ class ObjReader {
       in_.skip_line();
     }
     if (!check_largest_index() || !check_is_obj()) return in_.take_error();
+    for (const Passed& kind : passed_) mesh_.pass_over(kind.count, kind.one, kind.many);
     return std::move(mesh_);
   }
 
@@ -38,7 +39,9 @@ class ObjReader {
     const char* place = in_.position();
     const std::string_view keyword = in_.word();
     if (keyword == "v") return vertex();
-    if (keyword == "f") return face(place);
+    if (keyword == "f" || keyword == "fo") return face(place);
+    for (Passed& kind : passed_)
+      if (kind.keyword == keyword) ++kind.count;
     if (foreign_ == nullptr && !is_common_statement(keyword)) foreign_ = place;
     return true;
   }
@@ -50,7 +53,15 @@ class ObjReader {
       if (!in_.number(coordinate)) return false;
       mesh_.points.push_back(coordinate);
     }
+    note_colour();
     return point_count() <= max_count || in_.fail(ErrorCode::absurd_count, "the file has too many vertices");
+  }
+
+  /// A weight is one number, a colour three or four.
+  void note_colour() {
+    std::size_t words = 0;
+    for (in_.skip_blanks(); !in_.at_line_end(); in_.skip_blanks(), ++words) (void)in_.word();
+    if (words >= 3) ++passed_[0].count;
   }
 
   bool face(const char* place) {
@@ -110,8 +121,23 @@ class ObjReader {
                     "this is not an OBJ text: it has no vertex and a statement OBJ does not know");
   }
 
+  /// What is counted: by its statement, a colour of a vertex by none.
+  struct Passed {
+    std::string_view keyword, one, many;
+    std::uint64_t count = 0;
+  };
+
   Scanner in_;
   PolygonMesh mesh_;
+  std::array<Passed, 9> passed_ = {{{"", "colour of a vertex", "colours of vertices"},
+                                    {"vn", "normal", "normals"},
+                                    {"vt", "texture coordinate", "texture coordinates"},
+                                    {"usemtl", "use of a material", "uses of materials"},
+                                    {"l", "line", "lines"},
+                                    {"p", "point", "points"},
+                                    {"curv", "curve", "curves"},
+                                    {"curv2", "curve in a surface", "curves in surfaces"},
+                                    {"surf", "free-form surface", "free-form surfaces"}}};
   bool has_zero_;
   std::int64_t largest_ = 0;
   const char* largest_place_ = nullptr;

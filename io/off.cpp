@@ -36,6 +36,9 @@ class OffReader {
 
   Result<PolygonMesh> read() {
     if (!header() || !counts() || !vertices() || !faces() || !end()) return in_.take_error();
+    mesh_.pass_over(vertex_extras_, "colour, normal or texture coordinate of a vertex",
+                    "colours, normals or texture coordinates of vertices");
+    mesh_.pass_over(face_extras_, "colour of a face", "colours of faces");
     return std::move(mesh_);
   }
 
@@ -56,9 +59,12 @@ class OffReader {
   void skip_within() {
     if (layout_ == Layout::running) in_.skip_space();
   }
-  /// Behind them.
-  void skip_rest() {
-    if (layout_ == Layout::lines) in_.skip_line();
+  /// Behind them; counts what is there.
+  void skip_rest(std::uint64_t& extras) {
+    if (layout_ == Layout::running) return;
+    in_.skip_blanks();
+    if (!in_.at_line_end()) ++extras;
+    in_.skip_line();
   }
 
   bool count(std::uint64_t& out) {
@@ -102,7 +108,7 @@ class OffReader {
         if (!in_.number(coordinate)) return false;
         mesh_.points.push_back(coordinate);
       }
-      skip_rest();
+      skip_rest(vertex_extras_);
     }
     return true;
   }
@@ -111,7 +117,7 @@ class OffReader {
     for (std::uint64_t i = 0; i < face_count_; ++i) {
       in_.skip_space();
       if (!face()) return false;
-      skip_rest();
+      skip_rest(face_extras_);
     }
     return true;
   }
@@ -150,6 +156,7 @@ class OffReader {
   PolygonMesh mesh_;
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
+  std::uint64_t vertex_extras_ = 0, face_extras_ = 0;
 };
 
 }  // namespace

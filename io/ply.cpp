@@ -168,6 +168,7 @@ class PlyReader {
       }
     }
     if (!body_.end()) return body_.take_error();
+    for (const PlyElement& element : header_.elements) note_what_is_passed_over(element);
     return std::move(mesh_);
   }
 
@@ -192,6 +193,18 @@ class PlyReader {
     return true;
   }
 
+  void note_what_is_passed_over(const PlyElement& element) {
+    if (element.count == 0) return;
+    const std::string rows = std::to_string(element.count) + (element.count == 1 ? " row of " : " rows of ");
+    std::string names;
+    for (const PlyProperty& property : element.properties)
+      if (property.role == PlyProperty::Role::none) names.append(names.empty() ? "" : ", ").append(property.name);
+    if (names.empty()) return;
+    const bool whole = element.kind == PlyElement::Kind::other;
+    mesh_.notices.push_back({element.count, rows + std::string(element.name) + (whole ? "" : ": " + names) +
+                                                (element.count == 1 && whole ? " is" : " are") + " passed over"});
+  }
+
   void reserve(const PlyElement& element) {
     if (element.kind == PlyElement::Kind::vertex) mesh_.points.reserve(element.count * 3);
     if (element.kind != PlyElement::Kind::face) return;
@@ -205,7 +218,7 @@ class PlyReader {
     for (const PlyProperty& property : element.properties) {
       bool good = true;
       if (property.role == PlyProperty::Role::corners) {
-        good = polygon(property);
+        good = element.kind == PlyElement::Kind::strips ? strip(property) : polygon(property);
       } else if (property.is_list) {
         std::uint64_t length = 0;
         good = list_length(property, length) && body_.skip(property.type, length);
@@ -247,6 +260,38 @@ class PlyReader {
       }
       mesh_.corners.push_back(static_cast<std::uint32_t>(index));
     }
+    mesh_.starts.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+    return true;
+  }
+
+  /// Triangles of a strip, every other one turned round; those that name a vertex twice are nothing.
+  bool strip(const PlyProperty& property) {
+    std::uint64_t length = 0;
+    if (!list_length(property, length)) return false;
+    std::array<std::uint32_t, 2> last = {};
+    for (std::uint64_t i = 0, known = 0; i < length; ++i) {
+      std::int64_t index = 0;
+      if (!body_.integer(property.type, index)) return false;
+      if (index == -1) {
+        known = 0;
+        continue;
+      }
+      if (index < 0 || static_cast<std::uint64_t>(index) >= header_.vertex_count)
+        return body_.fail(ErrorCode::bad_index, "a strip names a vertex that does not exist");
+
+      const auto corner = static_cast<std::uint32_t>(index);
+      if (known >= 2 && !add_triangle(last[known % 2], last[1 - known % 2], corner)) return false;
+      last = {last[1], corner};
+      ++known;
+    }
+    return true;
+  }
+
+  bool add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a == b || b == c || c == a) return true;
+    if (mesh_.corners.size() + 3 > max_count)
+      return body_.fail(ErrorCode::absurd_count, "the faces have too many corners");
+    mesh_.corners.insert(mesh_.corners.end(), {a, b, c});
     mesh_.starts.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
     return true;
   }

@@ -51,7 +51,8 @@ Role role_of(Kind kind, bool is_list, std::string_view name) {
     return static_cast<Role>(name[0] - 'x');
   }
   const bool corners = name == "vertex_indices" || name == "vertex_index";
-  return kind == Kind::face && is_list && corners ? Role::corners : Role::none;
+  const bool has_corners = kind == Kind::face || kind == Kind::strips;
+  return has_corners && is_list && corners ? Role::corners : Role::none;
 }
 
 bool has_role(const PlyElement& element, Role role) {
@@ -128,7 +129,11 @@ class HeaderReader {
   std::optional<Error> element(Scanner& words) {
     const std::string_view name = words.word();
     PlyElement element;
-    element.kind = name == "vertex" ? Kind::vertex : name == "face" ? Kind::face : Kind::other;
+    element.name = name;
+    element.kind = name == "vertex"      ? Kind::vertex
+                   : name == "face"      ? Kind::face
+                   : name == "tristrips" ? Kind::strips
+                                         : Kind::other;
     std::int64_t count = 0;
     if (!words.integer(count))
       return fail(words.at_end() ? ErrorCode::bad_syntax : ErrorCode::bad_number, "an element needs a count");
@@ -160,6 +165,7 @@ class HeaderReader {
 
     const std::string_view name = words.word();
     if (name.empty()) return fail(ErrorCode::bad_syntax, "a property needs a name");
+    property.name = name;
     property.role = role_of(element.kind, property.is_list, name);
     if (property.role != Role::none && has_role(element, property.role)) {
       return fail(ErrorCode::bad_syntax, "this property is declared twice");
@@ -187,8 +193,11 @@ class HeaderReader {
         !has_role(*vertex, Role::z)) {
       return fail(ErrorCode::bad_syntax, "the header declares no vertices with x, y and z");
     }
-    if (face == nullptr) return fail(ErrorCode::no_faces, "the header declares no faces: points alone bound no solid");
-    if (!has_role(*face, Role::corners)) {
+    const PlyElement* strips = find(Kind::strips);
+    if (face == nullptr && strips == nullptr)
+      return fail(ErrorCode::no_faces, "the header declares no faces: points alone bound no solid");
+    if ((face != nullptr && !has_role(*face, Role::corners)) ||
+        (strips != nullptr && !has_role(*strips, Role::corners))) {
       return fail(ErrorCode::bad_syntax, "the header declares no faces with a list vertex_indices");
     }
     return std::move(header_);

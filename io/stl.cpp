@@ -18,6 +18,7 @@ constexpr std::size_t header_size = 80;
 constexpr std::size_t facets_offset = 84;
 constexpr std::size_t facet_size = 50;
 constexpr std::size_t normal_size = 12;
+constexpr std::size_t attribute_offset = 48;
 /// Corners are counted in 32 bits.
 constexpr std::uint64_t max_facets = std::numeric_limits<std::uint32_t>::max() / 3;
 
@@ -75,10 +76,13 @@ Result<PolygonMesh> read_binary_stl(std::string_view bytes) {
   PolygonMesh mesh;
   mesh.points.resize(std::size_t{facets} * 9);
   double* to = mesh.points.data();
+  std::uint64_t attributes = 0;
 
   for (std::uint32_t facet = 0; facet < facets; ++facet) {
     const std::size_t offset = facets_offset + facet_size * std::size_t{facet} + normal_size;
     const char* from = bytes.data() + offset;
+    const char* attribute = from - normal_size + attribute_offset;
+    if (attribute[0] != 0 || attribute[1] != 0) ++attributes;
     bool finite = true;
     for (int i = 0; i < 9; ++i) {
       const std::uint32_t bits = load_u32(from + 4 * i);
@@ -94,6 +98,7 @@ Result<PolygonMesh> read_binary_stl(std::string_view bytes) {
   }
 
   number_corners(mesh, facets);
+  mesh.pass_over(attributes, "attribute of a facet (a colour, as a rule)", "attributes of facets (colours, as a rule)");
   return mesh;
 }
 
@@ -106,6 +111,8 @@ class AsciiStlReader {
       if (!solid()) return in_.take_error();
     }
     number_corners(mesh_, static_cast<std::uint32_t>(mesh_.points.size() / 9));
+    mesh_.pass_over(words_, "word behind a facet", "words behind facets");
+    if (!mesh_.points.empty()) mesh_.pass_over(empty_parts_, "part without facets", "parts without facets");
     return std::move(mesh_);
   }
 
@@ -132,10 +139,12 @@ class AsciiStlReader {
   bool solid() {
     if (!expect("solid")) return false;
     in_.skip_line();
+    const std::size_t before = mesh_.points.size();
 
     for (;;) {
       const std::string_view word = next_word();
       if (equal_ignoring_case(word, "endsolid")) {
+        if (mesh_.points.size() == before) ++empty_parts_;
         in_.skip_line();
         return true;
       }
@@ -159,8 +168,19 @@ class AsciiStlReader {
       if (!vertex()) return false;
     }
     if (!expect("endloop") || !expect("endfacet")) return false;
+    skip_words();
     if (mesh_.points.size() / 9 > max_facets) return in_.fail(ErrorCode::absurd_count, "the file has too many facets");
     return true;
+  }
+
+  /// On the line of "endfacet", up to the next statement.
+  void skip_words() {
+    for (in_.skip_blanks(); !in_.at_line_end(); in_.skip_blanks()) {
+      const char* place = in_.position();
+      const std::string_view word = in_.word();
+      if (equal_ignoring_case(word, "facet") || equal_ignoring_case(word, "endsolid")) return in_.move_to(place);
+      ++words_;
+    }
   }
 
   bool vertex() {
@@ -176,6 +196,7 @@ class AsciiStlReader {
 
   Scanner in_;
   PolygonMesh mesh_;
+  std::uint64_t words_ = 0, empty_parts_ = 0;
 };
 
 using Vector = std::array<double, 3>;

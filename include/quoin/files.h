@@ -36,6 +36,8 @@ struct Source {
   PolygonMesh mesh = {};
   /// The solid of a .quoin file.
   std::optional<Solid> exact = {};
+  /// What the file holds besides.
+  std::vector<Notice> notices = {};
 };
 
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
@@ -49,7 +51,7 @@ QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Form
 /// only if that is exact; else of meshes alone the one that fits all of them together; else the common grid of the
 /// exact sources (quoin/solid.h, `unite`), to which meshes are snapped. Where a mesh lies beyond its world, all meshes
 /// get the grid that fits them, and the common grid is that of all. `reports`, when given, receives one report a
-/// source; of an exact one it tells of rounding to the common grid. Errors: those of `Solid::from_polygons`,
+/// source, also of one that is refused; of an exact one it tells of rounding to the common grid. Errors: those of `Solid::from_polygons`,
 /// "inexact-grid"; `file` is the source's name.
 QUOIN_API Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options = {},
                                            std::vector<ImportReport>* reports = nullptr);

@@ -7,9 +7,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "quoin/arrays.h"
 #include "quoin/grid.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
+#include "quoin/repair.h"
+#include "quoin/result.h"
 
 namespace quoin {
 
@@ -26,6 +31,8 @@ struct ImportOptions {
   std::optional<Grid> grid = {};
   Trust trust = Trust::nothing;
   Options run = {};
+  /// Cures of an open surface and of shells that are inside out; none by default.
+  Repair repair = {};
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.
@@ -50,6 +57,20 @@ struct ImportReport {
   std::string dropped_where = {};
   /// Where nothing is left of the mesh, the grid on which it bounds nothing, "step 1"; empty otherwise.
   std::string empty_on = {};
+  /// Vertices that lie exactly on open edges of neighbours, put on them, so that the surface is closed there.
+  std::uint64_t sealed_t_junctions = 0;
+  /// What is wrong with the surface: of a mesh that is refused, open or inside out, all that import can tell; of one
+  /// that is accepted its dropped shells. After a repair: what is left.
+  std::vector<Finding> findings = {};
+  /// What the cures did that were asked for, one a kind.
+  std::vector<Finding> repairs = {};
+  /// What was passed over, of the file and of the mesh, one a kind.
+  std::vector<Notice> notices = {};
 };
+
+/// What is wrong with polygons given as for Solid::from_polygons, before any of `options.repair`, or what these leave.
+/// A mesh that crosses itself is not at fault. Errors: those of import, but for "open-boundary" and "inside-out".
+QUOIN_API Result<Diagnosis> diagnose(Coordinates points, Indices starts, Indices corners,
+                                     const ImportOptions& options = {});
 
 }  // namespace quoin

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+#include "grid/cut.h"
+#include "grid/lists/partition.h"
+#include "grid/repair/cures.h"
+
+namespace quoin::grid {
+
+using exact::GridPoint;
+using exact::int128;
+using exact::Integer;
+using Triangle = Surface::Triangle;
+
+namespace {
+
+using Vector = std::array<int128, 3>;
+
+/// How far from a plane the corners of a planar hole may lie, squared grid steps.
+constexpr int planar_squared = 16;
+
+void add_cross(Vector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+  std::array<std::int64_t, 3> e{}, f{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = std::int64_t{q.c[k]} - p.c[k];
+    f[k] = std::int64_t{r.c[k]} - p.c[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    sum[k] += e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
+}
+int128 absolute(int128 v) { return v < 0 ? -v : v; }
+int128 length_by_sum(const Vector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }
+Integer dot(const Vector& v, const Vector& w) {
+  Integer sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += exact::to_integer(v[k]) * exact::to_integer(w[k]);
+  return sum;
+}
+
+struct Box {
+  GridPoint low{{INT32_MAX, INT32_MAX, INT32_MAX}}, high{{INT32_MIN, INT32_MIN, INT32_MIN}};
+  void add(const GridPoint& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low.c[k] = std::min(low.c[k], p.c[k]);
+      high.c[k] = std::max(high.c[k], p.c[k]);
+    }
+  }
+};
+
+/// A loop of boundary edges, as the missing faces run along it.
+struct Hole {
+  Array<std::uint32_t> corners;
+  Vector normal{};  // twice the area of the cap
+  Box box;
+  bool is_planar = false;
+
+  int128 squared_size() const { return squared_distance(box.low, box.high); }
+};
+
+/// Boundary edges, to be walked backwards: from an edge's end to its start.
+class Loops {
+ public:
+  explicit Loops(const Surface& surface) : points_(surface.points) {
+    for_edges(edge_uses(surface.triangles), [&](std::span<const EdgeUse> edge) {
+      const std::int64_t open = excess(edge);
+      if (open == 1) ways_.push_back({edge[0].high, edge[0].low});
+      if (open == -1) ways_.push_back({edge[0].low, edge[0].high});
+    });
+    std::sort(ways_.begin(), ways_.end());
+    is_used_.assign(ways_.size(), 0);
+  }
+
+  /// Simple loops: where a way comes back to a vertex, what lies between is one.
+  Array<Hole> find() {
+    Array<Hole> holes;
+    Array<std::uint32_t> place(points_.size(), absent);  // of a vertex on the way
+    for (std::uint32_t first = 0; first < ways_.size(); ++first) {
+      Array<std::uint32_t> way;
+      for (std::uint32_t e = first; e != absent && is_used_[e] == 0; e = next(ways_[e][1])) {
+        is_used_[e] = 1;
+        if (way.empty()) push(ways_[e][0], way, place);
+        const std::uint32_t to = ways_[e][1];
+        if (place[to] == absent) {
+          push(to, way, place);
+          continue;
+        }
+        holes.push_back(cut_off(place[to], way, place));
+      }
+      for (const std::uint32_t v : way) place[v] = absent;
+    }
+    return holes;
+  }
+
+ private:
+  static constexpr std::uint32_t absent = UINT32_MAX;
+
+  static void push(std::uint32_t v, Array<std::uint32_t>& way, Array<std::uint32_t>& place) {
+    place[v] = static_cast<std::uint32_t>(way.size());
+    way.push_back(v);
+  }
+
+  Hole cut_off(std::uint32_t begin, Array<std::uint32_t>& way, Array<std::uint32_t>& place) const {
+    Hole hole;
+    hole.corners.assign(way.begin() + begin, way.end());
+    for (std::size_t i = begin + 1; i < way.size(); ++i) place[way[i]] = absent;
+    way.resize(std::size_t{begin} + 1);
+    measure(hole);
+    return hole;
+  }
+
+  void measure(Hole& hole) const {
+    const GridPoint& p = points_[hole.corners[0]];
+    for (std::size_t i = 2; i < hole.corners.size(); ++i)
+      add_cross(hole.normal, p, points_[hole.corners[i - 1]], points_[hole.corners[i]]);
+    for (const std::uint32_t v : hole.corners) hole.box.add(points_[v]);
+
+    const Integer most = planar_squared * dot(hole.normal, hole.normal);
+    hole.is_planar = std::all_of(hole.corners.begin(), hole.corners.end(), [&](std::uint32_t v) {
+      const GridPoint& q = points_[v];
+      const Integer height = dot(hole.normal, {q[0] - int128(p[0]), q[1] - int128(p[1]), q[2] - int128(p[2])});
+      return height * height <= most;
+    });
+  }
+
+  /// An edge that is not used yet and begins at a vertex.
+  std::uint32_t next(std::uint32_t v) {
+    auto at = std::lower_bound(ways_.begin(), ways_.end(), std::array<std::uint32_t, 2>{v, 0});
+    for (; at != ways_.end() && (*at)[0] == v; ++at)
+      if (is_used_[static_cast<std::size_t>(at - ways_.begin())] == 0)
+        return static_cast<std::uint32_t>(at - ways_.begin());
+    return absent;
+  }
+
+  const Array<GridPoint>& points_;
+  Array<std::array<std::uint32_t, 2>> ways_;
+  Array<std::uint8_t> is_used_;
+};
+
+/// What surrounds holes: the pieces of a surface that hang together over edges.
+class Pieces {
+ public:
+  explicit Pieces(const Surface& surface)
+      : surface_(surface),
+        piece_of_(surface.triangles.size()),
+        boxes_(surface.triangles.size()),
+        areas_(surface.triangles.size()),
+        triangle_at_(surface.points.size()) {
+    for_edges(edge_uses(surface.triangles), [&](std::span<const EdgeUse> edge) {
+      for (const EdgeUse& use : edge) piece_of_.unite(edge[0].triangle(), use.triangle());
+      if (excess(edge) != 0) triangle_at_[edge[0].low] = triangle_at_[edge[0].high] = edge[0].triangle();
+    });
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      const std::uint32_t piece = piece_of_.find(t);
+      for (const std::uint32_t v : surface.triangles[t]) boxes_[piece].add(surface.points[v]);
+      areas_[piece] += length_by_sum(normal(t));
+    }
+  }
+
+  /// Whether a hole is small beside the surface around it.
+  bool is_small(const Hole& hole) {
+    const std::uint32_t piece = piece_of(hole);
+    if (!hole.is_planar)
+      return 64 * hole.squared_size() <= squared_distance(boxes_[piece].low, boxes_[piece].high);
+    const int128 cap = length_by_sum(hole.normal);
+    return 2 * cap <= areas_[piece] && (16 * cap <= areas_[piece] || !is_terrain(piece, hole));
+  }
+
+ private:
+  std::uint32_t piece_of(const Hole& hole) { return piece_of_.find(triangle_at_[hole.corners[0]]); }
+
+  Vector normal(std::uint32_t t) const {
+    Vector n{};
+    const auto& [a, b, c] = surface_.triangles[t];
+    add_cross(n, surface_.points[a], surface_.points[b], surface_.points[c]);
+    return n;
+  }
+
+  /// Whether all of a piece lies over its hole, seen along the cap's normal: no triangle looks as the cap does, or
+  /// sidewise. Asked of large holes alone, of which a piece has few.
+  bool is_terrain(std::uint32_t piece, const Hole& hole) {
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+      if (piece_of_.find(t) == piece && dot(normal(t), hole.normal) >= 0) return false;
+    return true;
+  }
+
+  const Surface& surface_;
+  Partition piece_of_;
+  Array<Box> boxes_;
+  Array<int128> areas_;
+  Array<std::uint32_t> triangle_at_;  // of a boundary vertex
+};
+
+}  // namespace
+
+std::array<Damage, 2> close_holes(Surface& surface, const Caps& caps, bool look) {
+  std::array<Damage, 2> damage{Damage{Defect::hole}, Damage{Defect::hole}};
+  damage[0].is_planar = true;
+  const Array<Hole> holes = Loops(surface).find();
+  if (holes.empty()) return damage;
+
+  Pieces pieces(surface);
+  Cutter cutter(surface.points);
+  Array<Triangle> lids;
+  for (const Hole& hole : holes) {
+    const bool is_asked = (caps.planar && hole.is_planar) || (caps.up_to && caps.up_to->holds(hole.squared_size())) ||
+                          (caps.careful && pieces.is_small(hole));
+    if (is_asked && hole.corners.size() > 2) cutter.cut(hole.corners, lids);
+    if (is_asked || look)
+      damage[hole.is_planar ? 0 : 1].add(length_of(hole.squared_size()), surface.points[hole.corners[0]]);
+  }
+  surface.triangles.insert(surface.triangles.end(), lids.begin(), lids.end());
+  return damage;
+}
+
+}  // namespace quoin::grid
