@@ -45,6 +45,8 @@ struct Arguments {
   std::optional<Grid> grid;
   std::optional<Format> format;
   Topology topology = Topology::manifold;
+  Validity validity = Validity::valid;
+  bool recentre = false;
   unsigned threads = 0;
   bool json = false;
   bool trust = false;
