@@ -1,11 +1,17 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "api/access.h"
 #include "api/run.h"
 #include "api/surface.h"
+#include "booleans/body/measure.h"
+#include "booleans/mended.h"
+#include "booleans/pairs/box_tree.h"
 #include "booleans/surface/rounded.h"
 #include "booleans/surface/separated.h"
+#include "booleans/surface/valid.h"
 #include "grid/balance.h"
 #include "grid/snap.h"
 
@@ -13,24 +19,217 @@ namespace quoin {
 
 using booleans::Body;
 using booleans::Floats;
+using booleans::SharedEdges;
 using booleans::Triangulated;
 
 namespace {
 
-/// What happened to a mesh on its way out; `points` are rounded.
-ExportReport reported(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, Floats floats,
-                      const std::vector<double>& points) {
-  const auto effects = booleans::rounding_effects(body, mesh, lattice, floats, points);
+/// A body as rounded triangles.
+struct Draft {
+  Triangulated mesh;
+  std::size_t vertices = 0;  // before touching parts were separated
+  std::vector<double> points;
+  booleans::Moves moves;
+};
+
+Floats floats_of(const ExportOptions& options) { return options.float32 ? Floats::float32 : Floats::float64; }
+
+Draft rounded(const Body& body, const grid::Lattice& lattice, Floats floats, Triangulated mesh) {
+  Draft draft;
+  draft.vertices = mesh.vertex_count();
+  draft.mesh = std::move(mesh);
+  draft.points = booleans::rounded_points(body, draft.mesh, lattice, floats);
+  draft.moves = booleans::moves(body, draft.mesh, lattice, floats, draft.points);
+  return draft;
+}
+
+Draft drafted(const Body& body, const grid::Lattice& lattice, Floats floats, Topology topology,
+              SharedEdges shared = SharedEdges::split) {
+  Triangulated mesh = booleans::triangulated(body);
+  if (topology == Topology::indexed) return rounded(body, lattice, floats, std::move(mesh));
+  const std::size_t vertices = mesh.vertex_count();
+  Draft draft = rounded(body, lattice, floats, booleans::separated(body, std::move(mesh), shared));
+  draft.vertices = vertices;
+  return draft;
+}
+
+bool is_valid(const Body& body, const grid::Lattice& lattice, Floats floats, const Draft& draft) {
+  return booleans::is_valid(body, draft.mesh, floats, lattice, draft.points, draft.moves);
+}
+
+/// A valid draft of what is mended, with what that took.
+struct Mending {
+  Draft draft;
+  bool is_valid = false;
+  std::uint64_t rounds = 0, crossings = 0, merged_points = 0, vanished_triangles = 0;
+  double most = 0;
+};
+
+/// A valid draft of a body, or nothing. A vertex that `separated` puts inside an edge may find no room.
+std::optional<Draft> valid_draft(const Body& body, const grid::Lattice& lattice, Floats floats, Topology topology) {
+  Draft draft = drafted(body, lattice, floats, topology);
+  if (is_valid(body, lattice, floats, draft)) return draft;
+  if (draft.mesh.split_edges == 0) return std::nullopt;
+  draft = drafted(body, lattice, floats, topology, SharedEdges::kept);
+  return is_valid(body, lattice, floats, draft) ? std::optional(std::move(draft)) : std::nullopt;
+}
+
+/// Mends a draft of a body: its numbers are snapped to a lattice of numbers and resolved, until what comes out can be
+/// rounded validly; the lattice becomes coarser when it does not.
+/// It ends: at the latest where all points go to 0 and nothing is left.
+/// Not valid only where a solid was trusted that is none, or cannot be resolved.
+/// Errors: "cancelled".
+Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, Draft draft,
+                       const Cancel* cancel) {
+  constexpr int finest_rounds = 4;
+  const Floats floats = floats_of(options);
+  Mending all;
+  all.most = draft.moves.most;
+  if (draft.mesh.split_edges > 0) {
+    if (auto valid = valid_draft(body, lattice, floats, options.topology)) {
+      all.draft = std::move(*valid);
+      all.is_valid = true;
+      return all;
+    }
+    draft = drafted(body, lattice, floats, Topology::indexed);
+  }
+
+  for (int round = 1;; ++round) {
+    const int coarser = std::max(0, round - finest_rounds);
+    auto next = booleans::mended(draft.points, draft.mesh.corners, floats, coarser, {.cancel = cancel});
+    if (!next && next.error().code == ErrorCode::cancelled) return next.error();
+    if (!next) break;
+    ++all.rounds;
+    all.crossings += next.value().crossings;
+    all.merged_points += next.value().merged_points;
+    all.vanished_triangles += next.value().vanished_triangles;
+    all.most += next.value().most;
+
+    const auto& [mended, numbers] = std::tie(next.value().body, next.value().lattice);
+    if (auto valid = valid_draft(mended, numbers, floats, options.topology)) {
+      all.most += valid->moves.most;
+      all.draft = std::move(*valid);
+      all.is_valid = true;
+      return all;
+    }
+    draft = drafted(mended, numbers, floats, Topology::indexed);
+    all.most += draft.moves.most;
+  }
+  all.draft = drafted(body, lattice, floats, options.topology);
+  return all;
+}
+
+/// Where an output vertex is, about, grid steps.
+std::array<double, 3> place_of(const Body& body, const Triangulated& mesh, std::uint32_t v) {
+  if (v < mesh.source.size()) return body.approximation(mesh.source[v]);
+  const auto& p = mesh.added[v - mesh.source.size()];
+  return {exact::to_double(p[0]), exact::to_double(p[1]), exact::to_double(p[2])};
+}
+
+double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+  return x * x + y * y + z * z;
+}
+
+/// The least squared distance of two different places, if that is below `reach` squared; all in grid steps.
+double least_gap(const std::vector<std::array<double, 3>>& places, double reach) {
+  if (!(reach < exact::world / 2)) return 0;
+  booleans::Array<booleans::BoxTree::Item> items(places.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    items[i] = {{}, i, 0};
+    items[i].box.add(places[i]);
+  }
+  const booleans::BoxTree tree(items);
+
+  double least = reach * reach;
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    booleans::Box around;
+    const auto look_near = [&] {
+      around = items[i].box;
+      const auto pad = static_cast<std::int32_t>(std::sqrt(least)) + 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        around.low[k] -= pad;
+        around.high[k] += pad;
+      }
+    };
+    look_near();
+    tree.meeting(around, [&](std::uint32_t j) {
+      const double gap = squared_distance(places[i], places[j]);
+      if (j <= i || gap == 0 || gap >= least) return;
+      least = gap;
+      look_near();
+    });
+  }
+  return least < reach * reach ? least : std::numeric_limits<double>::infinity();
+}
+
+/// The least distance of two vertices as ExportReport says, model units.
+double least_detail(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, double moved) {
+  std::vector<std::array<double, 3>> places(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < places.size(); ++v) places[v] = place_of(body, mesh, v);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    grid::for_loop_edges(mesh.triangle(t), [&](std::uint32_t u, std::uint32_t v) {
+      // The triangle on the other side has the edge, too.
+      if (u < v) least = std::min(least, squared_distance(places[u], places[v]));
+    });
+
+  const double step = exact::to_double(lattice.step), reach = ExportReport::detail_factor * moved / step;
+  if (std::sqrt(least) > reach) least = std::min(least, least_gap(places, reach));
+  return std::isfinite(least) ? std::sqrt(least) * step : 0;
+}
+
+/// The first vertex whose numbers are infinite, as the place of an error.
+std::optional<Error> out_of_range(const Body& body, const Draft& draft, const grid::Lattice& lattice, bool float32) {
+  const auto far =
+      std::find_if_not(draft.points.begin(), draft.points.end(), [](double x) { return std::isfinite(x); });
+  if (far == draft.points.end()) return std::nullopt;
+  const std::vector<double> places = booleans::rounded_points(body, draft.mesh, lattice, Floats::float64);
+  return Error{ErrorCode::out_of_range,
+               std::string("the solid reaches beyond the largest ") + (float32 ? "float32" : "double") +
+                   "; scale the model down",
+               {},
+               "vertex " + grid::describe_point(&places[static_cast<std::size_t>(far - draft.points.begin()) / 3 * 3])};
+}
+
+/// What is written, but for what mending did.
+ExportReport reported(const Body& body, const Draft& draft, const grid::Lattice& lattice, const ExportOptions& options,
+                      bool is_valid) {
   ExportReport report;
-  report.triangles = mesh.triangle_count();
+  report.triangles = draft.mesh.triangle_count();
+  report.split_edges = draft.mesh.split_edges;
+  report.shared_edges = draft.mesh.shared_edges;
+  report.closed = grid::is_balanced(draft.mesh.corners, draft.mesh.vertex_count());
+  report.valid = is_valid;
+  report.max_round = draft.moves.most;
+  if (is_valid) return report;
+
+  const auto effects = booleans::rounding_effects(body, draft.mesh, lattice, floats_of(options), draft.points);
   report.flipped = effects.flipped;
   report.collapsed = effects.collapsed;
-  report.split_edges = mesh.split_edges;
-  report.closed = grid::is_balanced(mesh.corners, mesh.vertex_count());
   return report;
 }
 
-Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, const Options& run,
+/// The centre of the box, each coordinate rounded to a multiple of the least power of two that is not below half the
+/// box's largest side.
+std::array<double, 3> rounded_centre(const Body& body, const grid::Lattice& lattice) {
+  std::array<double, 3> centre{};
+  const auto box = booleans::rounded_box(body, lattice);
+  if (!box) return centre;
+  const auto& [low, high] = *box;
+  double half = 0;
+  for (std::size_t k = 0; k < 3; ++k) half = std::max(half, high[k] / 2 - low[k] / 2);
+  if (!(half > 0)) return centre;
+
+  int exponent = 0;
+  const double fraction = std::frexp(half, &exponent);
+  if (fraction == 0.5) --exponent;
+  for (std::size_t k = 0; k < 3; ++k)
+    centre[k] = std::ldexp(std::nearbyint(std::ldexp(low[k] / 2 + high[k] / 2, -exponent)), exponent) + 0.0;
+  return centre;
+}
+
+Result<Mesh> exported(const Body& body, const grid::Lattice& own, const ExportOptions& options, const Options& run,
                       ExportReport* report, SurfaceCounts* surface) {
   // False when the run was cancelled.
   const auto begin = [&](const char* stage, double fraction) {
@@ -39,33 +238,53 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& lattice, const Expo
     return !run.cancel || !run.cancel->load(std::memory_order_relaxed);
   };
   const Error cancelled{ErrorCode::cancelled, "the export was cancelled"};
+  const bool is_separated = options.topology == Topology::manifold;
+  const Floats floats = floats_of(options);
+  grid::Lattice lattice = own;
+  std::array<double, 3> centre{};
+  if (options.recentre) centre = rounded_centre(body, own);
+  for (std::size_t k = 0; k < 3; ++k) lattice.origin[k] -= exact::to_rational(centre[k]);
 
   if (!begin("triangulate", 0)) return cancelled;
   Triangulated mesh = booleans::triangulated(body);
 
   if (!begin("separate", 0.4)) return cancelled;
   const std::size_t vertices = mesh.vertex_count();
-  const bool is_separated = options.topology == Topology::manifold;
   if (is_separated) mesh = booleans::separated(body, std::move(mesh));
 
-  if (!begin("round", 0.7)) return cancelled;
-  const Floats floats = options.float32 ? Floats::float32 : Floats::float64;
-  Mesh out;
-  out.points = booleans::rounded_points(body, mesh, lattice, floats);
-  const auto far = std::find_if_not(out.points.begin(), out.points.end(), [](double x) { return std::isfinite(x); });
-  if (far != out.points.end()) {
-    const std::vector<double> places = booleans::rounded_points(body, mesh, lattice, Floats::float64);
-    return Error{ErrorCode::out_of_range,
-                 std::string("the solid reaches beyond the largest ") + (options.float32 ? "float32" : "double") +
-                     "; scale the model down",
-                 {},
-                 "vertex " + grid::describe_point(&places[static_cast<std::size_t>(far - out.points.begin()) / 3 * 3])};
-  }
-  if (report) *report = reported(body, mesh, lattice, floats, out.points);
-  if (surface) *surface = is_separated ? surface_counts(mesh, vertices) : surface_counts(body, mesh);
+  if (!begin("round", 0.6)) return cancelled;
+  Draft draft = rounded(body, lattice, floats, std::move(mesh));
+  if (const auto far = out_of_range(body, draft, lattice, options.float32)) return *far;
+  if (surface) *surface = is_separated ? surface_counts(draft.mesh, vertices) : surface_counts(body, draft.mesh);
 
-  out.triangles = std::move(mesh.corners);
-  return out;
+  if (!begin("prove", 0.7)) return cancelled;
+  const bool wants_proof = options.validity == Validity::valid;
+  const bool is_proved = wants_proof && is_valid(body, lattice, floats, draft);
+  if (report) {
+    *report = reported(body, draft, lattice, options, is_proved);
+    report->valid = is_proved && body.is_proved;
+    report->recentred = centre;
+    if (report->max_round > 0) report->least_detail = least_detail(body, draft.mesh, lattice, report->max_round);
+  }
+  if (is_proved || !wants_proof) return Mesh{std::move(draft.points), std::move(draft.mesh.corners)};
+
+  if (!begin("mend", 0.8)) return cancelled;
+  auto mending = mended(body, lattice, options, std::move(draft), run.cancel);
+  if (!mending) return cancelled;
+  draft = std::move(mending.value().draft);
+  if (report) {
+    const ExportReport before = *report;
+    *report = reported(body, draft, lattice, options, mending.value().is_valid);
+    report->valid = mending.value().is_valid && body.is_proved;
+    report->recentred = centre;
+    report->least_detail = before.least_detail;
+    report->max_round = mending.value().most;
+    report->mending_rounds = mending.value().rounds;
+    report->mended_crossings = mending.value().crossings;
+    report->merged_vertices = mending.value().merged_points;
+    report->vanished_triangles = mending.value().vanished_triangles;
+  }
+  return Mesh{std::move(draft.points), std::move(draft.mesh.corners)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct RawOptions {
   std::optional<std::string> step, format, topology, rounding, repair;
   Words rotate, translate, mirror, scale, set;
   std::vector<std::string> order;  // of the motions
-  bool version = false;
+  bool version = false, valid = false, fast = false;
 };
 
 /// "a, b or c"
@@ -107,6 +107,14 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
     app->add_option("--output-topology", raw.topology,
                     "manifold (default): every edge of the written mesh has two triangles, parts that only touch are "
                     "separated; indexed: vertices are shared wherever they coincide.");
+    auto* valid =
+        app->add_flag("--valid", raw.valid,
+                      "What is written as triangles, read as exact numbers, bounds a solid without crossings: "
+                      "where rounding spoils that, it is mended (default).");
+    app->add_flag("--fast", raw.fast, "Write correctly rounded numbers, whatever becomes of thin parts.")
+        ->excludes(valid);
+    app->add_flag("--recentre", a.recentre,
+                  "Subtract the rounded centre of the box from what is written as triangles, and say which.");
   }
 
   if (a.command == Command::move) {
@@ -303,6 +311,7 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     }
     a.topology = *raw.topology == "manifold" ? Topology::manifold : Topology::indexed;
   }
+  if (raw.fast) a.validity = Validity::fast;
 
   if (raw.step) {
     const auto grid = Grid::with_step(*raw.step);

@@ -48,6 +48,8 @@ struct Arguments {
   /// Of all commands that read meshes, but for eval.
   Repair repair;
   Topology topology = Topology::manifold;
+  Validity validity = Validity::valid;
+  bool recentre = false;
   unsigned threads = 0;
   bool json = false;
   bool trust = false;

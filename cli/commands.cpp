@@ -251,6 +251,21 @@ Result<void> check_output(const Arguments& a, const std::string& path) {
       .code = ErrorCode::unwritable, .message = "the folder of the output is missing or not writable", .file = path};
 }
 
+/// Says when rounding moved points by a good part of the least detail of the solid.
+void warn_of_rounding(const Output& output, bool float32) {
+  const ExportReport& report = output.report;
+  if (report.triangles == 0 && !output.solid.is_empty())
+    print_warning("nothing is left of the solid in the numbers of this format", output.path, "");
+  if (!(report.max_round * ExportReport::detail_factor > report.least_detail)) return;
+
+  const std::string cure = float32 ? "a format with doubles (ply, off, obj) or --recentre keeps it"
+                                   : "--recentre keeps it if the solid lies far from the origin";
+  print_warning("rounding to " + std::string(float32 ? "float32" : "doubles") + " moved points by up to " +
+                    decimal(report.max_round) + ", where some vertices are " + decimal(report.least_detail) +
+                    " apart: " + cure,
+                output.path, "");
+}
+
 /// Whether anyone hears what became of the results.
 bool says_results(const Arguments& a) { return a.json || !a.quiet; }
 
@@ -266,8 +281,11 @@ Result<void> format_output(Session& session, Output& output) {
   }
 
   auto mesh = session.times.measure(Stage::export_triangles, [&] {
-    const ExportOptions options = {
-        .topology = a.topology, .float32 = kind.is_float32, .run = session.options("exporting")};
+    const ExportOptions options = {.topology = a.topology,
+                                   .float32 = kind.is_float32,
+                                   .run = session.options("exporting"),
+                                   .validity = a.validity,
+                                   .recentre = a.recentre};
     if (!says_results(a)) return output.solid.to_triangles(options);
     return output.solid.to_triangles(options, &output.report, &output.surface.emplace());
   });
@@ -277,6 +295,7 @@ Result<void> format_output(Session& session, Output& output) {
     return error;
   }
 
+  if (!a.quiet) warn_of_rounding(output, kind.is_float32);
   auto bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
   if (!bytes) return bytes.error();
   output.bytes = std::move(bytes).value();
@@ -304,6 +323,14 @@ std::string summary(const Output& output) {
   }
   if (report.split_edges > 0) text += "  " + count(report.split_edges, "touching edge") + " split inside\n";
   if (!report.closed) text += "  the written mesh is not closed\n";
+  if (report.shared_edges > 0) text += "  " + count(report.shared_edges, "touching edge") + " kept all triangles\n";
+  if (report.mending_rounds > 0) {
+    text += "  rounding spoiled the triangles, mended: " + count(report.mended_crossings, "crossing") + ", " +
+            std::to_string(report.merged_vertices) + " merged vertices, " + std::to_string(report.vanished_triangles) +
+            " vanished triangles; nothing moved by more than " + decimal(report.max_round) + "\n";
+  }
+  if (const auto& c = report.recentred; c != std::array<double, 3>{})
+    text += "  recentred: " + decimal(c[0]) + ", " + decimal(c[1]) + ", " + decimal(c[2]) + " subtracted\n";
   return text;
 }
 
@@ -333,6 +360,7 @@ Json imports_json(const Operands& operands) {
 Json output_json(const Output& output) {
   Json object = info_json(output.solid, output.info);
   object["export"] = export_json(output.report);
+  object["max_round"] = output.report.max_round;
   return object;
 }
 

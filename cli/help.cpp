@@ -154,6 +154,10 @@ Grid: points of meshes are snapped to a common grid, and everything after that i
 Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
   among others, since nothing is left of it; --quiet suppresses it.
 
+Triangles are written valid: read as exact numbers they bound a solid without crossings. Numbers are correctly rounded;
+  where that spoils thin parts the mesh is mended, and counted. --fast leaves it as rounded. A warning says when
+  rounding moves points by more than the shortest edge; --recentre writes the mesh about the origin.
+
 Examples:
   quoin union body.stl handle.stl -o part.stl
   quoin difference plate.stl drill.stl -o plate-drilled.quoin --step 1/1000

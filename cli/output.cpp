@@ -201,6 +201,15 @@ Json export_json(const ExportReport& report) {
   object["collapsed"] = report.collapsed;
   object["split_edges"] = report.split_edges;
   object["closed"] = report.closed;
+  object["valid"] = report.valid;
+  object["max_round"] = report.max_round;
+  object["least_detail"] = report.least_detail;
+  object["mending_rounds"] = report.mending_rounds;
+  object["mended_crossings"] = report.mended_crossings;
+  object["merged_vertices"] = report.merged_vertices;
+  object["vanished_triangles"] = report.vanished_triangles;
+  object["shared_edges"] = report.shared_edges;
+  object["recentred"] = report.recentred;
   return object;
 }
 
@@ -252,7 +261,8 @@ std::string info_text(const Solid& solid, const Info& info) {
 
   rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
   const bool is_known = !info.volume.empty();
-  if (info.bounded) rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
+  if (info.bounded)
+    rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
   rows.push_back({"area, about", decimal(info.area_approx)});
   rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
   rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exact/filter_bounds.h"
 #include "exact/predicates.h"
@@ -79,7 +80,62 @@ std::size_t first_changed(const Body& body, const Triangulated& mesh, const grid
   return static_cast<std::size_t>(raw - mesh.face.begin());
 }
 
+/// An upper bound of the distance of a number from those that round to it: half a unit in its last place.
+double half_unit(double x, Floats floats) {
+  const bool is_float = floats == Floats::float32;
+  const int lowest = is_float ? -126 : -1022, digits = is_float ? 24 : 53;
+  const int exponent = x == 0 ? lowest : std::max(std::ilogb(x), lowest);
+  return std::max(std::ldexp(1.0, exponent - digits), std::numeric_limits<double>::denorm_min());
+}
+
+/// The same for what doubles hold exactly.
+double distance_moved(double exact, double rounded) { return std::fabs(exact - rounded); }
+
+/// An upper bound of the length of a vector of upper bounds.
+double length_above(const std::array<double, 3>& d) {
+  const double largest = std::max({d[0], d[1], d[2]});
+  if (largest == 0) return 0;
+  double sum = 0;
+  for (const double x : d) sum += (x / largest) * (x / largest);
+  // The roundings are far below 2^-40 of it; what is too small for them is a unit of its own.
+  return largest * (std::sqrt(sum) * (1 + 0x1p-40)) + std::numeric_limits<double>::denorm_min();
+}
+
 }  // namespace
+
+Moves moves(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, Floats floats,
+            const std::vector<double>& points) {
+  const grid::Rounder rounder(lattice);
+  const bool is_exact = rounder.is_exact(), to_float = floats == Floats::float32;
+  if (is_exact && !to_float && body.points.empty() && mesh.added.empty()) return {};
+
+  constexpr std::size_t length = 4096;
+  const std::size_t count = mesh.vertex_count();
+  Moves all;
+  all.moved.resize(count);
+  std::vector<double> most(count / length + 1);
+  grid::in_stretches(count, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double* const p = points.data() + 3 * i;
+      const bool is_grid = i < mesh.source.size() && body.is_grid(mesh.source[i]);
+      if (is_grid && is_exact && !to_float) continue;
+
+      std::array<double, 3> d{};
+      for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        d[at] = is_grid && is_exact ? distance_moved(rounder.to_double(body.grid_points[mesh.source[i]][k], k), p[k])
+                                    : half_unit(p[k], floats);
+      }
+      const double distance = length_above(d);
+      all.moved[i] = distance > 0;
+      most[s] = std::max(most[s], distance);
+    }
+  });
+
+  all.most = *std::max_element(most.begin(), most.end());
+  if (all.most == 0) all.moved.clear();
+  return all;
+}
 
 std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice,
                                    Floats floats) {

@@ -16,6 +16,17 @@ enum class Floats { float32, float64 };
 std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice,
                                    Floats floats);
 
+/// How far rounding moved output vertices.
+struct Moves {
+  /// By output vertex: 0 where the rounded point is known to be the exact one. Empty where none moved.
+  Array<std::uint8_t> moved;
+  /// An upper bound of the largest distance, model units; 0 where none moved.
+  double most = 0;
+};
+/// `points`: those that `rounded_points` gives for the other arguments, all finite.
+Moves moves(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, Floats floats,
+            const std::vector<double>& points);
+
 /// Triangles that rounding turned over (the rounded normal points against the exact one) or made flat (the rounded area
 /// is zero). Exact.
 struct RoundingEffects {

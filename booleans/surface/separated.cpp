@@ -254,11 +254,16 @@ void cut_triangles(Triangulated& mesh, std::vector<Cut> cuts) {
   mesh.face = std::move(face);
 }
 
-/// Splits the edges where joints, in corners of the mesh, join the same two vertices.
-void split_shared_edges(const Body& body, const std::vector<std::vector<Joint>>& contacts, Triangulated& mesh) {
+/// Splits, or counts, the edges where joints, in corners of the mesh, join the same two vertices.
+void split_shared_edges(const Body& body, const std::vector<std::vector<Joint>>& contacts, SharedEdges shared,
+                        Triangulated& mesh) {
   std::vector<Cut> cuts;
   for (const auto& contact : contacts) {
     if (!share_an_edge(mesh, contact)) continue;
+    if (shared == SharedEdges::kept) {
+      ++mesh.shared_edges;
+      continue;
+    }
 
     const auto end = [&](std::uint32_t c) { return mesh.source[mesh.corners[c]]; };
     const std::uint32_t u = end(contact[0][0]), v = end(next_corner(contact[0][0]));
@@ -275,7 +280,7 @@ void split_shared_edges(const Body& body, const std::vector<std::vector<Joint>>&
 
 }  // namespace
 
-Triangulated separated(const Body& body, Triangulated mesh) {
+Triangulated separated(const Body& body, Triangulated mesh, SharedEdges shared) {
   const Array<std::uint8_t> several = with_several_fans(mesh);
   if (several.empty()) return mesh;
 
@@ -286,7 +291,7 @@ Triangulated separated(const Body& body, Triangulated mesh) {
 
   for (auto& contact : joints.at_contacts)
     for (Joint& j : contact) j = {part.whole(j[0]), part.whole(j[1])};
-  split_shared_edges(body, joints.at_contacts, apart);
+  split_shared_edges(body, joints.at_contacts, shared, apart);
   return apart;
 }
 

@@ -23,6 +23,10 @@ namespace quoin::booleans {
 /// That suffices. Output edges with the same vertices lie over one edge of the unseparated mesh, as all points of a
 /// body differ. Halves of split edges end in different copies. A new edge from a copy to the third corner of a triangle
 /// lies in that triangle, and the two triangles of a pair have different third corners.
-Triangulated separated(const Body& body, Triangulated mesh);
+///
+/// SharedEdges::kept: such edges stay as they are, and are counted (`shared_edges`): law 1 does not hold at them. For
+/// numbers so coarse that the vertex inside does not fit.
+enum class SharedEdges { split, kept };
+Triangulated separated(const Body& body, Triangulated mesh, SharedEdges shared = SharedEdges::split);
 
 }  // namespace quoin::booleans

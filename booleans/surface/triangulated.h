@@ -23,6 +23,7 @@ struct Triangulated {
   Array<std::uint32_t> source;         // body vertex of each output vertex but the last ones
   Array<RationalPoint> added;          // the last output vertices: inside edges that `separated` had to split
   std::size_t split_edges = 0;         // how many edges of the body these are
+  std::size_t shared_edges = 0;        // how many edges of the body stayed with the same two vertices for all triangles
 
   std::size_t triangle_count() const { return face.size(); }
   std::size_t vertex_count() const { return source.size() + added.size(); }

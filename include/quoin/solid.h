@@ -109,7 +109,8 @@ class QUOIN_API Solid {
   /// Exact, for any three finite doubles in model units.
   Location classify(const std::array<double, 3>& point) const;
 
-  /// Triangles, correctly rounded. `report` and `surface`, when given, receive what else there is to say of them.
+  /// Triangles, correctly rounded, and mended where that is not valid (ExportOptions::validity). `report` and
+  /// `surface`, when given, receive what else there is to say of them.
   /// Errors: "unbounded", "out-of-range", "cancelled".
   Result<Mesh> to_triangles(const ExportOptions& options = {}, ExportReport* report = nullptr,
                             SurfaceCounts* surface = nullptr) const;
