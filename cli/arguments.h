@@ -44,6 +44,8 @@ struct Arguments {
   std::string rounding_name = "best";
   std::optional<Grid> grid;
   std::optional<Format> format;
+  /// What numbers are converted to where a file states another unit.
+  std::optional<Unit> unit;
   Topology topology = Topology::manifold;
   unsigned threads = 0;
   bool json = false;

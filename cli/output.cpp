@@ -161,6 +161,36 @@ Json import_json(const std::string& file, const ImportReport& report) {
   return object;
 }
 
+Json unit_json(Unit unit) { return unit == Unit::none ? Json(nullptr) : Json(name_of(unit)); }
+
+void add_contents(Json& object, const Source& source) {
+  object["unit"] = unit_json(source.unit);
+  object["objects"] = Json::array();
+  for (const FileObject& one : source.objects) {
+    Json& entry = object["objects"].emplace_back();
+    entry["number"] = one.number;
+    entry["name"] = one.name;
+    entry["faces"] = one.faces;
+  }
+  object["notices"] = Json::array();
+  for (const Notice& notice : source.notices) {
+    Json& entry = object["notices"].emplace_back();
+    entry["what"] = notice.what;
+    entry["count"] = notice.count;
+  }
+}
+
+std::string objects_text(const Source& source) {
+  if (source.objects.size() < 2) return {};
+  std::string text;
+  for (const FileObject& one : source.objects) {
+    text += "object " + std::to_string(one.number) + ": ";
+    if (!one.name.empty()) text += printable(one.name) + ", ";
+    text += std::to_string(one.faces) + (one.faces == 1 ? " face\n" : " faces\n");
+  }
+  return text;
+}
+
 Json export_json(const ExportReport& report) {
   Json object;
   object["flipped"] = report.flipped;
@@ -218,7 +248,8 @@ std::string info_text(const Solid& solid, const Info& info) {
 
   rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
   const bool is_known = !info.volume.empty();
-  if (info.bounded) rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
+  if (info.bounded)
+    rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
   rows.push_back({"area, about", decimal(info.area_approx)});
   rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
   rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});
