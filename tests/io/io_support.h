@@ -19,8 +19,8 @@
 namespace quoin::io {
 
 /// The first mesh of a file, as it stands.
-inline Result<PolygonMesh> read_mesh(std::string_view bytes, Format named) {
-  auto scene = read_scene(bytes, named);
+inline Result<PolygonMesh> read_mesh(std::string_view bytes, Format named, const Beside& beside = {}) {
+  auto scene = read_scene(bytes, named, beside);
   if (!scene) return scene.error();
   return std::move(scene.value().meshes.at(0));
 }
