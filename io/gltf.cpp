@@ -242,6 +242,7 @@ class GltfReader {
       auto bytes = beside_(unescaped(text));
       if (!bytes) {
         error_ = bytes.error();
+        if (error_.where.empty()) error_.where = uri.place();
         return false;
       }
       out = std::move(bytes).value();
