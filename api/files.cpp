@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "api/access.h"
 #include "api/common_grid.h"
 #include "api/evaluate.h"
 #include "api/import.h"
+#include "api/placed.h"
 #include "api/run.h"
 #include "io/formats.h"
 #include "io/mesh.h"
@@ -19,25 +22,138 @@ Error in_file(Error error, const std::string& file) {
   return error;
 }
 
-Result<Source> parsed(const std::string& path, std::string_view bytes, std::optional<Format> hint, Trust trust) {
-  const auto named = hint ? Result<Format>(*hint) : format_of(path);
+/// A path, and what stands behind "#": the number or name of an object.
+struct ObjectPath {
+  std::string file;
+  std::optional<std::string> object = {};
+};
+
+ObjectPath parted(const std::string& path) {
+  const std::size_t at = path.rfind('#');
+  if (at == std::string::npos || format_of(path)) return {path};
+  const std::string file = path.substr(0, at);
+  if (file != "-" && !format_of(file)) return {path};
+  return {file, path.substr(at + 1)};
+}
+
+/// Reads a file beside another one: a name without a folder, so that no file says what is read elsewhere.
+io::Beside beside(const std::string& path) {
+  return [path](const std::string& name) -> Result<std::string> {
+    const std::size_t slash = path.rfind('/');
+    const bool is_plain = !name.empty() && name != "-" && name != "." && name != ".." &&
+                          name.find_first_of(std::string("/\\\0", 3)) == std::string::npos;
+    if (path == "-" || !is_plain)
+      return Error{ErrorCode::missing_file, "the file names another one that is not beside it", {}, name};
+    auto bytes = io::read_file((slash == std::string::npos ? std::string() : path.substr(0, slash + 1)) + name);
+    if (bytes) return bytes;
+    Error error = bytes.error();
+    error.where = name;
+    return error;
+  };
+}
+
+/// The meshes of an object where they are placed, in the unit that is asked for.
+Result<Source> source_of(const io::Scene& scene, std::size_t number, std::optional<Unit> unit) {
+  const io::Object& object = scene.objects[number];
+  rounding::AffineMap conversion;
+  if (unit && scene.unit != Unit::none)
+    for (std::size_t k = 0; k < 3; ++k) conversion.linear[k][k] = millimeters(scene.unit) / millimeters(*unit);
+
+  Source source;
+  source.unit = unit ? *unit : scene.unit;
+  source.objects = {{number + 1, object.name, 0}};
+  const std::string where = "object " + std::to_string(number + 1);
+  for (const io::PlacedMesh& one : object.meshes) {
+    const auto map = map_of(one.placing);
+    auto mesh = map ? placed(scene.meshes[one.mesh], composed(map.value(), conversion)) : map.error();
+    if (!mesh) {
+      Error error = mesh.error();
+      error.where = where;
+      return error;
+    }
+    source.objects[0].faces += mesh.value().starts.size() - 1;
+    io::PolygonMesh& there = mesh.value();
+    source.others.push_back({std::move(there.points), std::move(there.starts), std::move(there.corners)});
+  }
+  source.mesh = std::move(source.others.front());
+  source.others.erase(source.others.begin());
+  return source;
+}
+
+/// The one object that is asked for: its number from 1, or its name. Errors: "bad-index".
+Result<std::size_t> found_object(const io::Scene& scene, const std::string& wanted) {
+  const auto& objects = scene.objects;
+  const auto named =
+      std::find_if(objects.begin(), objects.end(), [&](const io::Object& object) { return object.name == wanted; });
+  if (named != objects.end() && !wanted.empty()) return static_cast<std::size_t>(named - objects.begin());
+
+  std::size_t number = 0;
+  const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  const bool is_number = code == std::errc() && end == wanted.data() + wanted.size();
+  if (is_number && number >= 1 && number <= objects.size()) return number - 1;
+  return Error{ErrorCode::bad_index,
+               "the file has no object \"" + wanted + "\", but " + std::to_string(objects.size()) +
+                   (objects.size() == 1 ? " object" : " objects"),
+               {},
+               "object " + wanted};
+}
+
+Result<std::vector<Source>> sources_of(const io::Scene& scene, const std::optional<std::string>& wanted,
+                                       std::optional<Unit> unit) {
+  std::vector<std::size_t> numbers;
+  if (wanted) {
+    const auto number = found_object(scene, *wanted);
+    if (!number) return number.error();
+    if (scene.objects[number.value()].meshes.empty())
+      return Error{ErrorCode::no_faces, "the object has no face: it bounds no solid", {}, "object " + *wanted};
+    numbers.push_back(number.value());
+  } else {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      if (!scene.objects[i].meshes.empty()) numbers.push_back(i);
+  }
+
+  std::vector<Source> sources;
+  for (const std::size_t number : numbers) {
+    auto source = source_of(scene, number, unit);
+    if (!source) return source.error();
+    sources.push_back(std::move(source).value());
+  }
+  auto& notices = sources[0].notices;
+  for (const io::PolygonMesh& mesh : scene.meshes)
+    notices.insert(notices.end(), mesh.notices.begin(), mesh.notices.end());
+  notices.insert(notices.end(), scene.notices.begin(), scene.notices.end());
+  return sources;
+}
+
+Result<std::vector<Source>> parsed(const ObjectPath& path, std::string_view bytes, std::optional<Format> hint,
+                                   Trust trust, std::optional<Unit> unit) {
+  const auto named = hint ? Result<Format>(*hint) : format_of(path.file);
   const auto format = io::format_to_read(bytes, named ? std::optional(named.value()) : std::nullopt);
   if (!format) return named.error();
 
-  Source source;
-  source.name = path;
-  if (info_of(*format).is_exact) {
-    auto solid = Solid::from_quoin(io::without_byte_order_mark(bytes), trust);
-    if (!solid) return solid.error();
-    source.exact = std::move(solid).value();
-    return source;
+  if (!info_of(*format).is_exact) {
+    const auto scene = io::read_scene(bytes, *format, beside(path.file));
+    return scene ? sources_of(scene.value(), path.object, unit) : scene.error();
   }
+  if (path.object && *path.object != "1")
+    return Error{ErrorCode::bad_index, "the file has one object", {}, "object " + *path.object};
+  auto solid = Solid::from_quoin(io::without_byte_order_mark(bytes), trust);
+  if (!solid) return solid.error();
+  Source source;
+  source.exact = std::move(solid).value();
+  source.objects = {FileObject{}};
+  return std::vector<Source>{std::move(source)};
+}
 
-  auto mesh = io::read_mesh(bytes, *format);
-  if (!mesh) return mesh.error();
-  source.notices = std::move(mesh.value().notices);
-  source.mesh = {std::move(mesh.value().points), std::move(mesh.value().starts), std::move(mesh.value().corners)};
-  return source;
+/// All of them as one.
+Source united(std::vector<Source> sources) {
+  Source all = std::move(sources.front());
+  for (auto source = sources.begin() + 1; source != sources.end(); ++source) {
+    all.others.push_back(std::move(source->mesh));
+    std::move(source->others.begin(), source->others.end(), std::back_inserter(all.others));
+    all.objects.push_back(std::move(source->objects[0]));
+  }
+  return all;
 }
 
 /// Whether the arrays are a mesh that the format can hold.
@@ -64,7 +180,13 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
           {},
           "face " + std::to_string(i / 3)};
 
-  const bool narrow = format == Format::stl;
+  if (!io::fits(count, mesh.triangles.size() / 3, format))
+    return Error{ErrorCode::out_of_range,
+                 "the format counts bytes in 32 bits, and the mesh needs more",
+                 {},
+                 "vertex " + std::to_string(count)};
+
+  const bool narrow = info_of(format).is_float32;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!std::isfinite(narrow ? static_cast<float>(mesh.points[i]) : mesh.points[i]))
       return Error{ErrorCode::non_finite,
@@ -76,14 +198,79 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
 
 std::vector<std::span<const double>> meshes_of(const std::vector<Source>& sources) {
   std::vector<std::span<const double>> meshes;
-  for (const Source& source : sources) meshes.emplace_back(source.mesh.points);
+  for (const Source& source : sources) {
+    meshes.emplace_back(source.mesh.points);
+    for (const PolygonMesh& other : source.others) meshes.emplace_back(other.points);
+  }
   return meshes;
 }
 
 /// The grid that fits all meshes of the sources together.
 Result<Grid> grid_around_meshes(const std::vector<Source>& sources) {
+  std::vector<const Source*> owners;
+  for (const Source& source : sources) owners.resize(owners.size() + 1 + source.others.size(), &source);
   return fitting_grid_of(meshes_of(sources),
-                         [&](const Error& error, std::size_t i) { return in_file(error, sources[i].name); });
+                         [&](const Error& error, std::size_t i) { return in_file(error, owners[i]->name); });
+}
+
+/// What import did to several meshes of one source.
+void add(ImportReport& all, const ImportReport& one) {
+  all.max_snap = std::max(all.max_snap, one.max_snap);
+  all.merged_points += one.merged_points;
+  all.zero_area_triangles += one.zero_area_triangles;
+  all.nonplanar_polygons += one.nonplanar_polygons;
+  all.resolved_crossings += one.resolved_crossings;
+  all.dropped_shells += one.dropped_shells;
+  if (all.dropped_where.empty()) all.dropped_where = one.dropped_where;
+  all.sealed_t_junctions += one.sealed_t_junctions;
+  all.findings.insert(all.findings.end(), one.findings.begin(), one.findings.end());
+  all.repairs.insert(all.repairs.end(), one.repairs.begin(), one.repairs.end());
+  all.notices.insert(all.notices.end(), one.notices.begin(), one.notices.end());
+}
+
+/// The only mesh of a source on a grid, or the union of all.
+Result<Solid> imported(const Source& source, const ImportOptions& options, ImportReport& report) {
+  const std::size_t count = 1 + source.others.size();
+  // The union is as much work as all imports together.
+  const double share = count == 1 ? 1 : 0.5 / static_cast<double>(count);
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PolygonMesh& mesh = i == 0 ? source.mesh : source.others[i - 1];
+    ImportOptions each = options;
+    each.run = step_of(options.run, share * static_cast<double>(i), share * static_cast<double>(i + 1));
+    ImportReport one;
+    auto solid = Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, each, &one);
+    if (count == 1) {
+      report = one;
+      return solid;
+    }
+    add(report, one);
+    if (!solid) {
+      Error error = solid.error();
+      error.where = "mesh " + std::to_string(i + 1) + (error.where.empty() ? "" : ", " + error.where);
+      return error;
+    }
+    solids.push_back(std::move(solid).value());
+  }
+
+  auto all = unite(solids, step_of(options.run, 0.5, 1));
+  if (all && all.value().is_empty()) report.empty_on = "step " + options.grid->step();
+  return all;
+}
+
+/// Errors: "mixed-units" where two sources state different units.
+Result<void> check_units(const std::vector<Source>& sources) {
+  const Source* first = nullptr;
+  for (const Source& source : sources) {
+    if (source.unit == Unit::none) continue;
+    if (first == nullptr) first = &source;
+    if (source.unit != first->unit)
+      return Error{ErrorCode::mixed_units,
+                   "the file is in " + std::string(name_of(source.unit)) + ", but " + first->name + " in " +
+                       std::string(name_of(first->unit)) + ": name the unit to convert to",
+                   source.name};
+  }
+  return {};
 }
 
 /// Whether all meshes lie in the world of a grid. Points that are not finite are left to import.
@@ -170,7 +357,7 @@ class Building {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       options.run = step_of(run_, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
       auto solid = sources_[i].exact ? run_to_end(options.run, [&](const Options&) { return exact(i); })
-                                     : imported(sources_[i].mesh, options, reports_[i]);
+                                     : imported(sources_[i], options, reports_[i]);
       auto& notices = reports_[i].notices;
       notices.insert(notices.begin(), sources_[i].notices.begin(), sources_[i].notices.end());
       if (!solid) return in_file(solid.error(), names_[i]);
@@ -178,10 +365,6 @@ class Building {
       sources_[i] = {};  // large arrays are not kept longer than needed
     }
     return solids;
-  }
-
-  static Result<Solid> imported(const PolygonMesh& mesh, const ImportOptions& options, ImportReport& report) {
-    return Solid::from_polygons(mesh.points, mesh.starts, mesh.corners, options, &report);
   }
 
   std::vector<Source> sources_;
@@ -193,6 +376,7 @@ class Building {
 
 Result<std::vector<Solid>> built(std::vector<Source> sources, const ImportOptions& options, const Options& run,
                                  std::vector<ImportReport>* reports) {
+  if (const auto checked = check_units(sources); !checked) return checked.error();
   Building building(std::move(sources), options, run);
   auto solids = options.grid ? building.on(*options.grid) : building.on_common_grid();
   if (reports) *reports = std::move(building.reports());
@@ -221,12 +405,24 @@ std::optional<Format> format_called(std::string_view name) {
 
 Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
-Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust) {
-  const auto bytes = io::read_file(path);
+std::string file_of(const std::string& path) { return parted(path).file; }
+
+Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format, Trust trust,
+                                         std::optional<Unit> unit) {
+  const ObjectPath parts = parted(path);
+  const auto bytes = io::read_file(parts.file);
   if (!bytes) return in_file(bytes.error(), path);
-  auto source = parsed(path, bytes.value(), format, trust);
-  if (!source) return in_file(source.error(), path);
-  return source;
+  auto sources = parsed(parts, bytes.value(), format, trust, unit);
+  if (!sources) return in_file(sources.error(), path);
+  for (Source& source : sources.value()) source.name = path;
+  return sources;
+}
+
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust,
+                           std::optional<Unit> unit) {
+  auto sources = read_objects(path, format, trust, unit);
+  if (!sources) return sources.error();
+  return united(std::move(sources).value());
 }
 
 Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options,
@@ -265,9 +461,9 @@ Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* impo
   return model;
 }
 
-Result<std::string> to_bytes(const Mesh& mesh, Format format) {
+Result<std::string> to_bytes(const Mesh& mesh, Format format, Unit unit) {
   if (const auto checked = check_writable(mesh, format); !checked) return checked.error();
-  return io::write_mesh(mesh.points, mesh.triangles, format);
+  return io::write_mesh(mesh.points, mesh.triangles, format, unit);
 }
 
 Result<void> write_bytes(const std::string& path, std::string_view bytes, const Cancel* cancel) {

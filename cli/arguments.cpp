@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, Rounding>, 6> roundings = {
 /// Values that still need a look after the words are parsed.
 struct RawOptions {
   std::string plane;
-  std::optional<std::string> step, format, topology, rounding, repair;
+  std::optional<std::string> step, format, unit, topology, rounding, repair;
   Words rotate, translate, mirror, scale, set;
   std::vector<std::string> order;  // of the motions
   bool version = false, valid = false, fast = false;
@@ -53,6 +53,13 @@ std::string format_names() {
   return alternatives(names);
 }
 
+std::string unit_names() {
+  std::vector<std::string_view> names;
+  for (auto unit = Unit::micron; unit <= Unit::meter; unit = static_cast<Unit>(static_cast<int>(unit) + 1))
+    names.push_back(name_of(unit));
+  return alternatives(names);
+}
+
 std::string rounding_names() {
   std::vector<std::string_view> names;
   for (const auto& rounding : roundings) names.push_back(rounding.first);
@@ -63,7 +70,7 @@ Error usage(std::string message) { return {.code = ErrorCode::usage, .message = 
 
 bool value_option(const std::string& word) {
   return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format" ||
-         word == "--repair";
+         word == "--repair" || word == "--unit";
 }
 
 bool answered(const Words& words, std::string_view long_name, std::string_view short_name) {
@@ -91,9 +98,11 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
   const bool many = a.command == Command::unite || a.command == Command::intersect || a.command == Command::subtract ||
                     a.command == Command::symmetric_difference;
   auto* inputs = app->add_option("FILES", a.inputs,
-                                 many                         ? "Two operands or more."
+                                 many ? "Two operands or more; part.3mf#2 is the second object of part.3mf, or "
+                                        "#NAME; without it all objects of a file, united."
                                  : a.command == Command::eval ? "The model."
-                                                              : "The solid.")
+                                                              : "The solid; part.3mf#2 is the second object of a "
+                                                                "file, or #NAME; without it all objects, united.")
                      ->required();
   many ? inputs->expected(2, CLI::detail::expected_max_vector_size) : inputs->expected(1);
 
@@ -150,14 +159,19 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                     ? "Changes nothing here: all is proved."
                     : "Skip the proof that no operand crosses itself.");
   if (a.command != Command::eval)
-    app->add_option("--repair", raw.repair,
-                    "NAME[=VALUE],...: cures for meshes that are open or inside out, each reported: weld=TOL, "
-                    "t-junctions=TOL, duplicates, orient, orient=solid, caps, caps=SIZE, invert-shells; all: every one, "
-                    "with tolerances taken from the mesh. `check` says which one is needed.");
+    app->add_option(
+        "--repair", raw.repair,
+        "NAME[=VALUE],...: cures for meshes that are open or inside out, each reported: weld=TOL, "
+        "t-junctions=TOL, duplicates, orient, orient=solid, caps, caps=SIZE, invert-shells; all: every one, "
+        "with tolerances taken from the mesh. `check` says which one is needed.");
   app->add_option("--format", raw.format,
                   format_names() +
                       ": what \"-\" is, and files without a known extension; also chooses among the formats of an "
                       "output's extension.");
+  app->add_option("--unit", raw.unit,
+                  unit_names() +
+                      ": converts what states another unit, and is that of all other numbers; needed where operands "
+                      "state different ones. What is written states it where the format can.");
   app->add_option("--threads", a.threads, "Worker threads; 0 (default): all. The result is the same for any number.")
       ->check(CLI::Range(0U, max_threads));
   app->add_flag("--json", a.json, "One JSON object on standard output, nothing else there.");
@@ -305,6 +319,10 @@ Result<void> read_values(const RawOptions& raw, Arguments& a) {
     if (!repair) return usage("--repair: " + repair.error().message);
     a.repair = repair.value();
   }
+  if (raw.unit) {
+    a.unit = unit_called(*raw.unit);
+    if (!a.unit) return usage("--unit must be " + unit_names() + ", not \"" + *raw.unit + "\"");
+  }
   if (raw.topology) {
     if (*raw.topology != "manifold" && *raw.topology != "indexed") {
       return usage("--output-topology must be manifold or indexed, not \"" + *raw.topology + "\"");
@@ -349,7 +367,8 @@ bool same_file(const std::string& a, const std::string& b) {
 
 /// What no single option can see.
 Result<void> check_streams(const Arguments& a) {
-  const auto from_stdin = std::count(a.inputs.begin(), a.inputs.end(), "-");
+  const auto from_stdin =
+      std::count_if(a.inputs.begin(), a.inputs.end(), [](const std::string& path) { return file_of(path) == "-"; });
   if (from_stdin > 1) return usage("standard input can be read once only");
   // A model is always JSON.
   const bool unnamed_input = from_stdin > 0 && a.command != Command::eval;
@@ -387,7 +406,7 @@ Result<Format> Arguments::output_format(const std::string& path) const {
 }
 
 std::optional<Format> Arguments::input_format(const std::string& path) const {
-  if (path != "-" && format_of(path)) return {};
+  if (format_of(file_of(path))) return {};
   return format;
 }
 

@@ -47,6 +47,8 @@ struct Arguments {
   std::optional<Format> format;
   /// Of all commands that read meshes, but for eval.
   Repair repair;
+  /// What numbers are converted to where a file states another unit.
+  std::optional<Unit> unit;
   Topology topology = Topology::manifold;
   Validity validity = Validity::valid;
   bool recentre = false;

@@ -38,9 +38,17 @@ struct Session {
 struct Operands {
   std::vector<Solid> solids;
   std::vector<MeshImport> imports;
+  std::vector<Source> contents;  // of each file what it states, without its meshes; none of a model
   /// How far the operation moved anything.
   double operation_snap = 0;
 
+  /// That of the numbers, which are all in one.
+  Unit unit(const Arguments& a) const {
+    if (a.unit) return *a.unit;
+    for (const Source& source : contents)
+      if (source.unit != Unit::none) return source.unit;
+    return Unit::none;
+  }
   double max_snap() const {
     double largest = operation_snap;
     for (const auto& import : imports) largest = std::max(largest, import.report.max_snap);
@@ -59,6 +67,7 @@ struct Computed {
 struct Output {
   std::string path;
   Solid solid;
+  Unit unit = Unit::none;
   Info info = {};
   ExportReport report = {};
   std::optional<SurfaceCounts> surface = {};  // of what was written as triangles
@@ -115,7 +124,8 @@ void warn_of_nothing_left(const std::string& file, const ImportReport& report) {
 void say_notices(const std::string& file, const ImportReport& report) {
   for (std::size_t i = 0; i + (report.dropped_shells > 0 ? 1 : 0) < report.notices.size(); ++i)
     print_notice(report.notices[i].sentence, file);
-  for (const Finding& repair : report.repairs) print_notice("repaired: " + repair.sentence + " (" + repair.where + ")", file);
+  for (const Finding& repair : report.repairs)
+    print_notice("repaired: " + repair.sentence + " (" + repair.where + ")", file);
 }
 
 /// Says what import could not keep.
@@ -139,11 +149,14 @@ void warn_of_losses(const Arguments& a, const MotionReport& report) {
 
 Result<Operands> load(Session& session, Trust trust) {
   const Arguments& a = session.arguments;
-  std::vector<Source> sources;
+  std::vector<Source> sources, contents;
   sources.reserve(a.inputs.size());
   for (const auto& path : a.inputs) {
-    auto source = session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust); });
+    auto source =
+        session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust, a.unit); });
     if (!source) return source.error();
+    const Source& read = source.value();
+    contents.push_back({.name = path, .unit = read.unit, .objects = read.objects});
     sources.push_back(std::move(source).value());
   }
 
@@ -159,7 +172,7 @@ Result<Operands> load(Session& session, Trust trust) {
     return solids.error();
   }
 
-  Operands operands{std::move(solids).value(), {}};
+  Operands operands{std::move(solids).value(), {}, std::move(contents)};
   for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
   warn_of_losses(a, operands.imports);
   return operands;
@@ -296,13 +309,13 @@ Result<void> format_output(Session& session, Output& output) {
   }
 
   if (!a.quiet) warn_of_rounding(output, kind.is_float32);
-  auto bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value()); });
+  auto bytes = session.times.measure(Stage::write, [&] { return to_bytes(mesh.value(), format.value(), output.unit); });
   if (!bytes) return bytes.error();
   output.bytes = std::move(bytes).value();
   return {};
 }
 
-std::string summary(const Output& output) {
+std::string summary(const Arguments& a, const Output& output) {
   const Info& info = output.info;
   const auto count = [](std::uint64_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
@@ -315,6 +328,12 @@ std::string summary(const Output& output) {
     text += output.solid.is_empty() ? "empty, " : "volume " + decimal(info.volume_approx) + ", ";
   }
   text += count(info.faces, "face") + ", " + count(info.shells, "shell") + "\n";
+
+  if (output.unit != Unit::none) {
+    const auto format = a.output_format(output.path);
+    const bool is_stated = format && info_of(format.value()).has_unit;
+    text += "  in " + std::string(name_of(output.unit)) + (is_stated ? "\n" : ", which the file does not state\n");
+  }
 
   const ExportReport& report = output.report;
   if (report.flipped + report.collapsed > 0) {
@@ -353,12 +372,16 @@ std::string import_summary(const Operands& operands) {
 
 Json imports_json(const Operands& operands) {
   Json list = Json::array();
-  for (const auto& [file, report] : operands.imports) list.push_back(import_json(file, report));
+  for (std::size_t i = 0; i < operands.imports.size(); ++i) {
+    list.push_back(import_json(operands.imports[i].file, operands.imports[i].report));
+    if (i < operands.contents.size()) add_contents(list.back(), operands.contents[i]);
+  }
   return list;
 }
 
 Json output_json(const Output& output) {
   Json object = info_json(output.solid, output.info);
+  object["unit"] = unit_json(output.unit);
   object["export"] = export_json(output.report);
   object["max_round"] = output.report.max_round;
   return object;
@@ -407,10 +430,15 @@ Result<void> run_info(Session& session) {
   const Volume volume = session.arguments.json ? Volume::exact : Volume::exact_if_short;
   const auto info = measured_info(solid, nullptr, volume, session);
   if (!info) return info.error();
+  const Unit unit = operands.value().unit(session.arguments);
   Json object = info_json(solid, info.value());
+  object["unit"] = unit_json(unit);
   object["max_snap"] = operands.value().max_snap();
   object["import"] = imports_json(operands.value());
-  return say(session.arguments, std::move(object), info_text(solid, info.value()) + import_summary(operands.value()));
+  std::string text = info_text(solid, info.value());
+  if (unit != Unit::none) text += "in " + std::string(name_of(unit)) + "\n";
+  text += objects_text(operands.value().contents[0]) + import_summary(operands.value());
+  return say(session.arguments, std::move(object), text);
 }
 
 /// What is wrong with a mesh that is refused, all of it.
@@ -433,8 +461,11 @@ Result<void> run_check(Session& session) {
   object["bounded"] = operands.value().solids[0].is_bounded();
   object.update(import_json(a.inputs[0], report));
   object["step"] = operands.value().solids[0].grid().step();
-  return say(a, std::move(object), a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report) +
-                                                        findings_text(report.findings));
+  const Source& contents = operands.value().contents[0];
+  add_contents(object, contents);
+  const std::string text =
+      a.inputs[0] + ": valid, closed\n" + objects_text(contents) + import_text(report) + findings_text(report.findings);
+  return say(a, std::move(object), a.quiet ? "" : text);
 }
 
 /// Every command that writes.
@@ -455,8 +486,9 @@ Result<void> run_writing(Session& session) {
   operands.value().solids.clear();
   operands.value().operation_snap = results.value().operation.max_snap;
 
+  const Unit unit = operands.value().unit(a);
   std::vector<Output> outputs;
-  for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value().solids[i]});
+  for (std::size_t i = 0; i < a.outputs.size(); ++i) outputs.push_back({a.outputs[i], results.value().solids[i], unit});
   results.value().solids.clear();
   for (auto& output : outputs) {
     if (const auto formatted = format_output(session, output); !formatted) return formatted.error();
@@ -478,7 +510,7 @@ Result<void> run_writing(Session& session) {
   if (a.json) return say(a, result_json(session, operands.value(), results.value().motion, outputs), "");
   std::string text;
   if (!a.quiet) {
-    for (const auto& output : outputs) text += summary(output);
+    for (const auto& output : outputs) text += summary(a, output);
     if (results.value().motion) text += motion_text(*results.value().motion);
     text += import_summary(operands.value());
     text += seconds_text(session.times.total_seconds());

@@ -75,6 +75,8 @@ Examples:
 Examples:
   quoin convert part.stl -o part.quoin
   quoin convert part.quoin -o part.stl --format stl-ascii
+  quoin convert part.3mf#2 -o lid.stl
+  quoin convert part.3mf -o part.glb --unit m
   quoin convert - -o - --format obj < a.obj > b.obj)"},
 }};
 
@@ -141,9 +143,13 @@ std::string general_help() {
   text += R"(  Content decides the format where it can, then the extension.
   "-" is standard input or output; --format then says what flows through it.
   An output file appears whole or not at all.
+  A file may hold several objects: part.3mf#2 is the second one (a build item of 3MF, a node with a mesh of glTF),
+  part.3mf#lid the one of that name. Without "#" an operand is all objects of the file, united: the default.
 
-Units: meshes are read without a unit. Quoin takes their numbers as they are ("model units", often millimetres):
-  operands must use the same one. Volumes are in cubic model units.
+Units: Quoin takes numbers as they are ("model units", often millimetres) and never scales silently. A unit that a file
+  states (3MF, AMF; glTF is in metres) is shown and written again where the format can. Operands that state different
+  units are refused, unless --unit says what to convert to; those that state none are taken to be in it.
+  Volumes are in cubic model units.
 
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
   of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.

@@ -195,6 +195,30 @@ std::string findings_text(const std::vector<Finding>& findings) {
   return text;
 }
 
+Json unit_json(Unit unit) { return unit == Unit::none ? Json(nullptr) : Json(name_of(unit)); }
+
+void add_contents(Json& object, const Source& source) {
+  object["unit"] = unit_json(source.unit);
+  object["objects"] = Json::array();
+  for (const FileObject& one : source.objects) {
+    Json& entry = object["objects"].emplace_back();
+    entry["number"] = one.number;
+    entry["name"] = one.name;
+    entry["faces"] = one.faces;
+  }
+}
+
+std::string objects_text(const Source& source) {
+  if (source.objects.size() < 2) return {};
+  std::string text;
+  for (const FileObject& one : source.objects) {
+    text += "object " + std::to_string(one.number) + ": ";
+    if (!one.name.empty()) text += printable(one.name) + ", ";
+    text += std::to_string(one.faces) + (one.faces == 1 ? " face\n" : " faces\n");
+  }
+  return text;
+}
+
 Json export_json(const ExportReport& report) {
   Json object;
   object["flipped"] = report.flipped;
@@ -335,7 +359,9 @@ void keep_findings(const std::vector<Finding>& findings) { kept_findings() = fin
 
 const std::vector<Finding>& refused_findings() { return kept_findings(); }
 
-void print_notice(const std::string& sentence, const std::string& file) { print_line("quoin: " + file + ": " + sentence); }
+void print_notice(const std::string& sentence, const std::string& file) {
+  print_line("quoin: " + file + ": " + sentence);
+}
 
 void print_warning(const std::string& sentence, const std::string& file, const std::string& where) {
   print_line("quoin: warning: " + sentence + place(file, where));

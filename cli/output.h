@@ -71,6 +71,12 @@ class ProgressLine {
 /// Info of a solid with its grid step.
 Json info_json(const Solid& solid, const Info& info);
 Json import_json(const std::string& file, const ImportReport& report);
+/// The name of the unit, null for none.
+Json unit_json(Unit unit);
+/// Adds "unit" and "objects" of what was read; its meshes are not needed.
+void add_contents(Json& object, const Source& source);
+/// One line an object where there are several.
+std::string objects_text(const Source& source);
 Json export_json(const ExportReport& report);
 Json statistics_json();
 /// Adds "angle_error", "displacement_bound" and "rounding".

@@ -10,13 +10,52 @@
 namespace quoin::io {
 namespace {
 
-constexpr std::array<FormatRow, 7> rows = {{
-    {{Format::stl, "stl", ".stl", false, true}, Evidence::length, is_exact_binary_stl, read_stl, write_stl},
-    {{Format::stl_ascii, "stl-ascii", ".stl"}, Evidence::word, looks_like_ascii_stl, read_stl, write_stl_ascii},
-    {{Format::obj, "obj", ".obj"}, Evidence::none, nullptr, read_obj, write_obj},
-    {{Format::off, "off", ".off"}, Evidence::word, looks_like_off, read_off, write_off},
-    {{Format::ply, "ply", ".ply"}, Evidence::word, looks_like_ply, read_ply, write_ply},
-    {{Format::ply_ascii, "ply-ascii", ".ply"}, Evidence::none, nullptr, read_ply, write_ply_ascii},
+using MeshReader = Result<PolygonMesh> (*)(std::string_view);
+using MeshWriter = std::string (*)(std::span<const double>, std::span<const std::uint32_t>);
+
+/// A file that is one mesh, without a name or unit.
+template <MeshReader read>
+Result<Scene> one_mesh(std::string_view bytes, const Beside&) {
+  auto mesh = read(bytes);
+  if (!mesh) return mesh.error();
+  Scene scene;
+  scene.meshes.push_back(std::move(mesh).value());
+  scene.objects.push_back({{}, {PlacedMesh{}}});
+  return scene;
+}
+
+template <MeshWriter write>
+std::string without_unit(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit) {
+  return write(points, triangles);
+}
+
+constexpr std::array<FormatRow, 11> rows = {{
+    {{Format::stl, "stl", ".stl", false, true},
+     Evidence::length,
+     is_exact_binary_stl,
+     one_mesh<read_stl>,
+     without_unit<write_stl>},
+    {{Format::stl_ascii, "stl-ascii", ".stl"},
+     Evidence::word,
+     looks_like_ascii_stl,
+     one_mesh<read_stl>,
+     without_unit<write_stl_ascii>},
+    {{Format::obj, "obj", ".obj"}, Evidence::none, nullptr, one_mesh<read_obj>, without_unit<write_obj>},
+    {{Format::off, "off", ".off"}, Evidence::word, looks_like_off, one_mesh<read_off>, without_unit<write_off>},
+    {{Format::ply, "ply", ".ply"}, Evidence::word, looks_like_ply, one_mesh<read_ply>, without_unit<write_ply>},
+    {{Format::ply_ascii, "ply-ascii", ".ply"},
+     Evidence::none,
+     nullptr,
+     one_mesh<read_ply>,
+     without_unit<write_ply_ascii>},
+    {{Format::threemf, "3mf", ".3mf", false, false, true},
+     Evidence::word,
+     looks_like_threemf,
+     read_threemf,
+     write_threemf},
+    {{Format::glb, "glb", ".glb", false, true, true}, Evidence::word, looks_like_glb, read_gltf, write_glb},
+    {{Format::gltf, "gltf", ".gltf", false, true, true}, Evidence::word, looks_like_gltf, read_gltf, write_gltf},
+    {{Format::amf, "amf", ".amf", false, false, true}, Evidence::word, looks_like_amf, read_amf, write_amf},
     {{Format::quoin, "quoin", ".quoin", true}, Evidence::word, looks_like_quoin, nullptr, nullptr},
 }};
 

@@ -30,8 +30,8 @@ struct FormatRow {
   /// Whether the bytes show this format; none without evidence.
   bool (*is_shown)(std::string_view bytes);
   /// None for exact formats.
-  Result<PolygonMesh> (*read)(std::string_view bytes);
-  std::string (*write)(std::span<const double> points, std::span<const std::uint32_t> triangles);
+  Result<Scene> (*read)(std::string_view bytes, const Beside& beside);
+  std::string (*write)(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit unit);
 };
 
 /// One row a format, in the order of the enumerators. The first row that fits is taken.
@@ -47,10 +47,22 @@ bool looks_like_off(std::string_view bytes);
 /// Whether the bytes begin with the line "ply".
 bool looks_like_ply(std::string_view bytes);
 
+/// Whether the bytes are an archive with the parts of a package, as 3MF is.
+bool looks_like_threemf(std::string_view bytes);
+/// Whether the bytes begin with the magic of GLB.
+bool looks_like_glb(std::string_view bytes);
+/// Whether the bytes begin with a brace: no other text does.
+bool looks_like_gltf(std::string_view bytes);
+/// Whether the first element is "amf", or the bytes are an archive of one .amf file.
+bool looks_like_amf(std::string_view bytes);
+
 Result<PolygonMesh> read_stl(std::string_view bytes);
 Result<PolygonMesh> read_obj(std::string_view bytes);
 Result<PolygonMesh> read_off(std::string_view bytes);
 Result<PolygonMesh> read_ply(std::string_view bytes);
+Result<Scene> read_threemf(std::string_view bytes, const Beside& beside);
+Result<Scene> read_gltf(std::string_view bytes, const Beside& beside);
+Result<Scene> read_amf(std::string_view bytes, const Beside& beside);
 
 std::string write_stl(std::span<const double> points, std::span<const std::uint32_t> triangles);
 std::string write_stl_ascii(std::span<const double> points, std::span<const std::uint32_t> triangles);
@@ -58,5 +70,9 @@ std::string write_obj(std::span<const double> points, std::span<const std::uint3
 std::string write_off(std::span<const double> points, std::span<const std::uint32_t> triangles);
 std::string write_ply(std::span<const double> points, std::span<const std::uint32_t> triangles);
 std::string write_ply_ascii(std::span<const double> points, std::span<const std::uint32_t> triangles);
+std::string write_threemf(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit unit);
+std::string write_glb(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit unit);
+std::string write_gltf(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit unit);
+std::string write_amf(std::span<const double> points, std::span<const std::uint32_t> triangles, Unit unit);
 
 }  // namespace quoin::io

@@ -2,11 +2,14 @@
 /// Files <-> plain arrays of points and indices. This room knows no geometry and no grid.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "quoin/format.h"
@@ -32,6 +35,49 @@ struct PolygonMesh {
   void pass_over(std::uint64_t count, std::string_view one, std::string_view many);
 };
 
+/// A rotation by a quaternion x, y, z, w, of any length but 0.
+struct QuaternionStep {
+  std::array<double, 4> by;
+};
+/// A rotation by degrees about axis 0, 1 or 2, right-handed.
+struct AngleStep {
+  std::size_t axis = 0;
+  double degrees = 0;
+};
+/// p -> A p + t; the rows of A with t behind each.
+struct MatrixStep {
+  std::array<double, 12> rows;
+  friend bool operator==(const MatrixStep&, const MatrixStep&) = default;
+};
+inline constexpr MatrixStep identity_step = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+/// How a mesh is placed, as the file states it: steps in the order in which they act. None: as it stands.
+using Placing = std::vector<std::variant<MatrixStep, QuaternionStep, AngleStep>>;
+
+/// "24 normals are passed over".
+Notice passed_over(std::uint64_t count, std::string_view one, std::string_view many);
+
+/// A mesh of the scene, by its number, and where it is.
+struct PlacedMesh {
+  std::uint32_t mesh = 0;
+  Placing placing = {};
+};
+/// What a file calls one thing: the union of its meshes; none where it has no face.
+struct Object {
+  std::string name;
+  std::vector<PlacedMesh> meshes;
+};
+/// What a file states: of most formats one object of one mesh, without a unit. One object at
+/// least has a mesh.
+struct Scene {
+  Unit unit = Unit::none;
+  std::vector<PolygonMesh> meshes = {};
+  std::vector<Object> objects = {};
+  std::vector<Notice> notices = {};
+};
+
+/// Reads a file beside the one that is read, by its name. Errors: "missing-file", "unreadable".
+using Beside = std::function<Result<std::string>(const std::string& name)>;
+
 /// By the file name's extension, any case. Errors: "unknown-format".
 Result<Format> format_of(std::string_view file_name);
 
@@ -44,23 +90,29 @@ std::optional<Format> format_to_read(std::string_view bytes, std::optional<Forma
 std::string_view without_byte_order_mark(std::string_view bytes);
 
 /// Reads the bytes of a mesh file as `format_to_read` says.
-/// Never throws but std::bad_alloc; never allocates more than a small multiple of `bytes`.
+/// Never throws but std::bad_alloc; never allocates more than a small multiple of `bytes`, of an archive of what
+/// ZipArchive lets it inflate to.
 /// Points are as in the file, none welded; every STL facet has three points of its own.
 /// Numbers that round to zero are zero; those that round to infinity are not finite.
 /// What stands behind the declared content is refused in OFF and ascii PLY, since the counts are wrong then; behind
 /// binary STL fewer than 50 bytes are padding; behind binary PLY anything is passed over.
 /// A count that the file's size contradicts is "truncated" for binary STL, "absurd-count" elsewhere.
-/// Errors (with `where` = line or byte offset): "truncated", "bad-syntax", "bad-number", "non-finite", "bad-index",
-/// "absurd-count", "unknown-format" (an exact file, too), "no-faces" (a mesh that is as it should be but for that: a
-/// wireframe, points).
-Result<PolygonMesh> read_mesh(std::string_view bytes, Format named);
+/// `beside` is asked for files that a glTF names.
+/// Errors (with `where` = line, byte offset or part): "truncated", "bad-syntax", "bad-number", "non-finite",
+/// "bad-index", "absurd-count", "unknown-format" (an exact file, too; an extension that a 3MF or glTF requires),
+/// "no-faces" (a mesh that is as it should be but for that: a wireframe, points), those of `beside`.
+Result<Scene> read_scene(std::string_view bytes, Format named, const Beside& beside = {});
 
 /// A triangle mesh as the bytes of a file; `triangles` holds 3 indices each. Equal arrays give equal bytes.
 /// Decimals are the shortest that read back to the same double; binary STL stores float32, binary PLY double.
-/// Normals of STL are computed, zero where the area is.
-/// Preconditions: a format of meshes; indices below points.size() / 3; finite points, for binary STL after rounding to
-/// float32 too.
-std::string write_mesh(std::span<const double> points, std::span<const std::uint32_t> triangles, Format format);
+/// Normals of STL are computed, zero where the area is. The unit is stated where the format can (glTF, whose numbers
+/// are metres, states it as the scale of the node).
+/// Preconditions: a format of meshes; indices below points.size() / 3; finite points, for formats of float32 after
+/// rounding to it too; no more than `fits` says.
+std::string write_mesh(std::span<const double> points, std::span<const std::uint32_t> triangles, Format format,
+                       Unit unit = Unit::none);
+/// Whether so many points and triangles fit the format: GLB and archives count bytes in 32 bits.
+bool fits(std::uint64_t points, std::uint64_t triangles, Format format);
 
 /// A whole file; "-" is standard input. Errors: "missing-file", "unreadable".
 Result<std::string> read_file(const std::string& path);

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fast_float/fast_float.h>
+
 #include "quoin/result.h"
 
 namespace quoin::io {
@@ -92,11 +94,11 @@ class Scanner {
     if (!start_word("a number is missing")) return false;
     double value = 0;
     const char* first = after_plus();
-    const std::from_chars_result result = std::from_chars(first, end_, value);
-    if (result.ec == std::errc::invalid_argument || !ends_word(result.ptr)) {
+    // What is out of range is infinite or zero, whether or not it is called so.
+    const auto result = fast_float::from_chars(first, end_, value);
+    if (result.ec == std::errc::invalid_argument || !ends_word(result.ptr) || is_blank(*first)) {
       return fail(ErrorCode::bad_number, "this is not a decimal number");
     }
-    if (result.ec == std::errc::result_out_of_range) value = beyond_range(first, result.ptr);
     if (!std::isfinite(value)) return fail(ErrorCode::non_finite, "this number is not finite in double precision");
 
     position_ = result.ptr;
@@ -166,7 +168,7 @@ class Scanner {
     return true;
   }
 
-  /// from_chars takes no plus sign; a second sign stays an error.
+  /// from_chars takes no plus sign; a second sign stays an error, and so does a blank behind it.
   const char* after_plus() const {
     const bool plus = *position_ == '+' && position_ + 1 != end_ && position_[1] != '-';
     return position_ + (plus ? 1 : 0);
@@ -181,28 +183,6 @@ class Scanner {
       out = *first == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
     }
     return result.ptr;
-  }
-
-  /// The value of a decimal that from_chars calls out of range: zero or infinity, by its decimal magnitude.
-  static double beyond_range(const char* first, const char* last) {
-    const bool negative = *first == '-';
-    const char* mantissa_end = std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
-    const char* point = std::find(first, mantissa_end, '.');
-    const char* leading = std::find_if(first, mantissa_end, [](char c) { return c >= '1' && c <= '9'; });
-
-    std::int64_t exponent = 0;
-    if (mantissa_end != last) {
-      const char* digits = mantissa_end + 1;
-      if (digits != last && *digits == '+') ++digits;
-      const std::from_chars_result result = std::from_chars(digits, last, exponent);
-      if (result.ec == std::errc::result_out_of_range) {
-        // The bound leaves room for the number of digits.
-        exponent = std::numeric_limits<std::int64_t>::max() / 2 * (*digits == '-' ? -1 : 1);
-      }
-    }
-
-    const double size = (point - leading) + exponent > 0 ? std::numeric_limits<double>::infinity() : 0.0;
-    return negative ? -size : size;
   }
 
   /// Counted only when an error needs it.

@@ -2,7 +2,9 @@
 /// Decimals appended to a string, without a locale.
 #pragma once
 
+#include <array>
 #include <charconv>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,18 @@ void append_line(std::string& out, std::string_view lead, Number a, Number b, Nu
   out.push_back(' ');
   append_number(out, c);
   out.push_back('\n');
+}
+
+/// Appends `lead` and three numbers, each in quotes behind its name: ` x="` and so on.
+template <class Number>
+void append_attributes(std::string& out, std::string_view lead, const std::array<std::string_view, 3>& names,
+                       std::span<const Number> values) {
+  out.append(lead);
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.append(names[k]);
+    append_number(out, values[k]);
+    out.push_back('"');
+  }
 }
 
 }  // namespace quoin::io

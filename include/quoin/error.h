@@ -33,6 +33,7 @@ enum class ErrorCode : std::uint8_t {
   out_of_range,
   // grids and expressions
   inexact_grid,
+  mixed_units,
   bad_plane,
   no_operand,
   too_many_terms,
@@ -88,6 +89,8 @@ inline std::string to_string(ErrorCode code) {
       return "out-of-range";
     case ErrorCode::inexact_grid:
       return "inexact-grid";
+    case ErrorCode::mixed_units:
+      return "mixed-units";
     case ErrorCode::bad_plane:
       return "bad-plane";
     case ErrorCode::no_operand:

@@ -13,6 +13,7 @@
 #include "quoin/format.h"
 #include "quoin/grid.h"
 #include "quoin/import.h"
+#include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
@@ -28,45 +29,73 @@ struct PolygonMesh {
   std::vector<std::uint32_t> corners;
 };
 
-/// What a file holds, parsed but not yet on a common grid.
+/// What a file calls one thing: a build item of 3MF, a node with a mesh of glTF, an object of AMF, all of another file.
+struct FileObject {
+  /// From 1, in the order of the file.
+  std::uint64_t number = 1;
+  /// As the file has it; may be empty.
+  std::string name = {};
+  std::uint64_t faces = 0;
+};
+
+/// What a file holds, or an object of it, parsed but not yet on a common grid.
 struct Source {
   /// Names the file in errors.
   std::string name;
-  /// As the file states it; empty when `exact` is set.
+  /// As the file states it, and where the file places it; empty when `exact` is set.
   PolygonMesh mesh = {};
   /// The solid of a .quoin file.
   std::optional<Solid> exact = {};
+  /// Further meshes: `build` unites all of them, solid by solid, so that what overlaps is one by its meaning.
+  std::vector<PolygonMesh> others = {};
+  /// Of the numbers of the meshes.
+  Unit unit = Unit::none;
+  /// What is in it.
+  std::vector<FileObject> objects = {};
   /// What the file holds besides.
   std::vector<Notice> notices = {};
 };
 
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
-/// then the extension. `trust` is for .quoin files; meshes are proved by `build`. Errors: "missing-file", "unreadable",
-/// "unknown-format", "truncated", "bad-syntax", "bad-number", "non-finite", "bad-index", "absurd-count", "no-faces",
-/// "bad-quoin"; `file` is the path.
+/// then the extension. "part.3mf#2" is the second object of part.3mf, "part.3mf#lid" the one of that name; without a
+/// "#" behind the extension it is all objects, united. `trust` is for .quoin files; meshes are proved by `build`.
+/// Transforms of the file act exactly, and each coordinate is rounded once, to the nearest double; what they mirror is
+/// turned round. Numbers keep their unit, unless `unit` asks for another: then they are converted in the same rounding,
+/// and those of a file that states none are taken to be in `unit`.
+/// Errors: "missing-file", "unreadable", "unknown-format", "truncated", "bad-syntax", "bad-number", "non-finite",
+/// "bad-index" (an object that is not there, too), "absurd-count", "no-faces", "bad-quoin"; `file` is the path.
 QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Format> format = {},
-                                     Trust trust = Trust::nothing);
+                                     Trust trust = Trust::nothing, std::optional<Unit> unit = {});
+/// The same, each object by itself, those without faces left out. There is one at least.
+QUOIN_API Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format = {},
+                                                   Trust trust = Trust::nothing, std::optional<Unit> unit = {});
+
+/// The path without the object that stands behind "#": "part.3mf" of "part.3mf#2". Only behind an extension of a
+/// format, or "-", does "#" name an object, and only where no such extension follows it.
+QUOIN_API std::string file_of(const std::string& path);
 
 /// Solids of sources on one common grid, in their order: `options.grid` if given, where exact sources are re-expressed
 /// only if that is exact; else of meshes alone the one that fits all of them together; else the common grid of the
 /// exact sources (quoin/solid.h, `unite`), to which meshes are snapped. Where a mesh lies beyond its world, all meshes
 /// get the grid that fits them, and the common grid is that of all. `reports`, when given, receives one report a
-/// source, also of one that is refused; of an exact one it tells of rounding to the common grid. Errors: those of `Solid::from_polygons`,
-/// "inexact-grid"; `file` is the source's name.
+/// source, also of one that is refused; of an exact one it tells of rounding to the common grid.
+/// Errors: those of `Solid::from_polygons`, "inexact-grid", "mixed-units" (two sources state different units); `file`
+/// is the source's name.
 QUOIN_API Result<std::vector<Solid>> build(std::vector<Source> sources, const ImportOptions& options = {},
                                            std::vector<ImportReport>* reports = nullptr);
 
 /// A triangle mesh as the bytes of a file; decimals are the shortest that read back to the same double, and binary STL
-/// rounds to float32 (see ExportOptions).
+/// and glTF round to float32 (see ExportOptions). The unit is stated where the format can (FormatInfo::has_unit).
 /// Errors: "bad-index" (a triangle names a point that is not there, an array has a wrong length), "non-finite" (for
-/// binary STL, after rounding to float32 too), "unknown-format" (Format::quoin: see Solid::to_quoin).
-QUOIN_API Result<std::string> to_bytes(const Mesh& mesh, Format format);
+/// formats of float32 after rounding to it, too), "out-of-range" (more than the format can count), "unknown-format"
+/// (Format::quoin: see Solid::to_quoin).
+QUOIN_API Result<std::string> to_bytes(const Mesh& mesh, Format format, Unit unit = Unit::none);
 
 /// Writes a file that appears whole or not at all: written beside `path`, then renamed. "-" is standard output.
 /// Errors: "unwritable"; "cancelled", which leaves nothing behind; `file` is the path.
 QUOIN_API Result<void> write_bytes(const std::string& path, std::string_view bytes, const Cancel* cancel = nullptr);
 
-/// Reads files (.stl, .obj, .off, .ply, .quoin; content decides where it can) onto one common grid.
+/// Reads files (those of `formats`; content decides where it can) onto one common grid, as `read_source` does.
 /// `reports`, when given, receives one report a file.
 QUOIN_API Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const ImportOptions& options = {},
                                           std::vector<ImportReport>* reports = nullptr);

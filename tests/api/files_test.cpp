@@ -14,6 +14,7 @@
 #include "tests/api/fractions.h"
 #include "tests/api/quoin_damage.h"
 #include "tests/api/solids.h"
+#include "tests/io/package.h"
 
 namespace quoin::api_test {
 namespace {
@@ -43,7 +44,7 @@ TEST_F(Files, EveryFormatComesBack) {
   const Solid a = box({0, 0, 0}, {2, 2, 2}) - box({1, 1, 1}, {3, 3, 3});
   ImportOptions options;
   options.grid = Grid();
-  for (const char* name : {"a.stl", "a.obj", "a.OFF", "a.ply", "a.quoin"}) {
+  for (const char* name : {"a.stl", "a.obj", "a.OFF", "a.ply", "a.3mf", "a.glb", "a.gltf", "a.amf", "a.quoin"}) {
     ASSERT_TRUE(a.write(path(name))) << name;
     std::vector<ImportReport> reports;
     const auto back = read({path(name)}, options, &reports);
@@ -526,6 +527,100 @@ TEST(Export, TheUnboundedHasNoMesh) {
   EXPECT_EQ(refused.error().code, ErrorCode::out_of_range);
   EXPECT_EQ(refused.error().where.rfind("vertex (", 0), 0u) << refused.error().where;
   EXPECT_NE(refused.error().where.find("1e+200"), std::string::npos) << refused.error().where;
+}
+
+// Items of a package of three: a tetrahedron, the same elsewhere, and one that overlaps the first, inside out where it
+// is mirrored without being turned round.
+std::string three_items() {
+  using namespace io::test;
+  return package(model_text(object_text(1, tetrahedron_text("4"), "name=\"tip\""),
+                            "<item objectid=\"1\"/>"
+                            "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 10 0 0\"/>"
+                            "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 2 0 0\"/>",
+                            "unit=\"inch\""));
+}
+
+TEST_F(Files, ObjectsOfOneFile) {
+  put("a.3mf", three_items());
+  ImportOptions options;
+  options.grid = Grid();
+  const Solid tip = read_solid(path("a.3mf#1"), options).value();
+  EXPECT_EQ(tip, read_solid(path("a.3mf#tip"), options).value());
+  EXPECT_EQ(tip.volume(), "32/3");
+  const auto objects = read_objects(path("a.3mf"));
+  ASSERT_TRUE(objects) << objects.error().message;
+  ASSERT_EQ(objects.value().size(), 3u);
+  EXPECT_EQ(objects.value()[1].mesh.points[3], 14);
+  EXPECT_EQ(objects.value()[2].objects[0].number, 3u);
+  EXPECT_EQ(objects.value()[0].unit, Unit::inch);
+
+  // All together are the union of each by itself.
+  const auto apart = build(objects.value(), options).value();
+  EXPECT_EQ(read_solid(path("a.3mf"), options).value(), unite(apart).value());
+  const auto all = read_source(path("a.3mf")).value();
+  EXPECT_EQ(all.others.size(), 2u);
+  EXPECT_EQ(all.objects.size(), 3u);
+
+  for (const char* name : {"a.3mf#0", "a.3mf#4", "a.3mf#x", "a.3mf#", "a.3mf#1x"}) {
+    const auto none = read_source(path(name));
+    ASSERT_FALSE(none) << name;
+    EXPECT_EQ(none.error().code, ErrorCode::bad_index) << name;
+    EXPECT_EQ(none.error().file, path(name));
+  }
+  EXPECT_EQ(file_of("b#1.stl"), "b#1.stl");
+  EXPECT_EQ(file_of("b.stl#1.off"), "b.stl#1.off");
+  EXPECT_EQ(file_of("b.stl#1"), "b.stl");
+  EXPECT_EQ(file_of("-#2"), "-");
+}
+
+TEST_F(Files, UnitsAreKeptOrConvertedWhenAsked) {
+  put("inch.3mf", three_items());
+  ASSERT_TRUE(box({0, 0, 0}, {1, 1, 1}).write(path("none.off")));
+  put("mm.3mf", io::test::package(io::test::model_text(io::test::object_text(1, io::test::tetrahedron_text("127")),
+                                                       "<item objectid=\"1\"/>")));
+  const auto inch = read_source(path("inch.3mf#1")).value(), mm = read_source(path("mm.3mf")).value(),
+             none = read_source(path("none.off")).value();
+  EXPECT_EQ(none.unit, Unit::none);
+  EXPECT_TRUE(build({inch, none}));
+  const auto mixed = build({none, mm, inch});
+  ASSERT_FALSE(mixed);
+  EXPECT_EQ(mixed.error().code, ErrorCode::mixed_units);
+  EXPECT_EQ(mixed.error().file, path("inch.3mf#1"));
+
+  // 4 inches are 101.6 mm, and 127 mm 5 inches, to the bit.
+  const auto in_mm = read_source(path("inch.3mf#1"), {}, Trust::nothing, Unit::millimeter).value();
+  EXPECT_EQ(in_mm.unit, Unit::millimeter);
+  EXPECT_EQ(in_mm.mesh.points[3], 101.6);
+  EXPECT_EQ(read_source(path("mm.3mf"), {}, Trust::nothing, Unit::inch).value().mesh.points[3], 5);
+  const auto taken = read_source(path("none.off"), {}, Trust::nothing, Unit::foot).value();
+  EXPECT_EQ(taken.unit, Unit::foot);
+  EXPECT_EQ(taken.mesh.points, none.mesh.points);
+}
+
+// A glTF may name files beside it, and no others.
+TEST_F(Files, BuffersAreBesideTheFile) {
+  const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).to_triangles().value();
+  const std::string glb = to_bytes(mesh, Format::glb).value();
+  const std::size_t begin = glb.find("BIN") - 4;
+  std::string json = glb.substr(20, begin - 20);
+  const auto with_uri = [&](const std::string& uri) {
+    std::string text = json;
+    return text.insert(text.find("\"buffers\":[{") + 12, "\"uri\":\"" + uri + "\",");
+  };
+  std::filesystem::create_directory(path("below"));
+  for (const char* name : {"data.bin", "below/data.bin"}) put(name, glb.substr(begin + 8));
+  put("good.gltf", with_uri("data.bin"));
+  EXPECT_EQ(read_solid(path("good.gltf")).value().volume(), "1");
+  for (const std::string& uri :
+       {std::string("below/data.bin"), std::string("../data.bin"), path("data.bin"), std::string("data%00.bin"),
+        std::string(".."), std::string("-"), std::string("no.bin")}) {
+    put("bad.gltf", with_uri(uri));
+    const auto refused = read_source(path("bad.gltf"));
+    ASSERT_FALSE(refused) << uri;
+    EXPECT_EQ(refused.error().code, ErrorCode::missing_file) << uri;
+    EXPECT_EQ(refused.error().file, path("bad.gltf"));
+    EXPECT_FALSE(refused.error().where.empty());
+  }
 }
 
 }  // namespace

@@ -5,8 +5,8 @@ namespace {
 
 TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
   const std::vector<std::pair<std::string, std::string>> formats = {
-      {"stl", "stl"}, {"stl-ascii", "stl"}, {"obj", "obj"},    {"off", "off"},
-      {"ply", "ply"}, {"ply-ascii", "ply"}, {"quoin", "quoin"}};
+      {"stl", "stl"}, {"stl-ascii", "stl"}, {"obj", "obj"},   {"off", "off"}, {"ply", "ply"},    {"ply-ascii", "ply"},
+      {"3mf", "3mf"}, {"glb", "glb"},       {"gltf", "gltf"}, {"amf", "amf"}, {"quoin", "quoin"}};
   for (const auto& [format, extension] : formats) {
     const std::string name = "out." + extension;
     const Outcome r = run({"convert", "a.off", "-o", name, "--format", format, "--json"});

@@ -18,19 +18,25 @@ TEST(Format, ByExtension) {
   EXPECT_EQ(format_of("/x.y/a.Obj").value(), Format::obj);
   EXPECT_EQ(format_of("a.off").value(), Format::off);
   EXPECT_EQ(format_of("a.PLY").value(), Format::ply);
+  EXPECT_EQ(format_of("a.3MF").value(), Format::threemf);
+  EXPECT_EQ(format_of("a.glb").value(), Format::glb);
+  EXPECT_EQ(format_of("a.gltf").value(), Format::gltf);
+  EXPECT_EQ(format_of("a.amf").value(), Format::amf);
   EXPECT_EQ(format_of("a.Quoin").value(), Format::quoin);
   for (const char* name : {"", "-", "stl", "a", "a.stl2", "a.", "a.stl/b"}) {
     const Result<Format> format = format_of(name);
     ASSERT_FALSE(format) << name;
     EXPECT_EQ(format.error().code, ErrorCode::unknown_format);
-    EXPECT_EQ(format.error().message, "the file name does not end with .stl, .obj, .off, .ply or .quoin");
+    EXPECT_EQ(format.error().message,
+              "the file name does not end with .stl, .obj, .off, .ply, .3mf, .glb, .gltf, .amf or .quoin");
   }
 }
 
 TEST(Format, ContentOverrulesTheHint) {
   const test::Triangles mesh = test::tetrahedron();
   for (const Format hint : {Format::stl, Format::obj, Format::off, Format::ply}) {
-    for (const Format real : {Format::stl_ascii, Format::off, Format::ply, Format::ply_ascii}) {
+    for (const Format real : {Format::stl_ascii, Format::off, Format::ply, Format::ply_ascii, Format::threemf,
+                              Format::glb, Format::gltf, Format::amf}) {
       const Result<PolygonMesh> read = read_mesh(write_mesh(mesh.points, mesh.triangles, real), hint);
       ASSERT_TRUE(read) << read.error().message;
       EXPECT_EQ(read.value().corners.size(), 12U);

@@ -16,6 +16,17 @@
 
 #include "io/mesh.h"
 
+namespace quoin::io {
+
+/// The first mesh of a file, as it stands.
+inline Result<PolygonMesh> read_mesh(std::string_view bytes, Format named, const Beside& beside = {}) {
+  auto scene = read_scene(bytes, named, beside);
+  if (!scene) return scene.error();
+  return std::move(scene.value().meshes.at(0));
+}
+
+}  // namespace quoin::io
+
 namespace quoin::io::test {
 
 /// The seed of random tests: QUOIN_SEED, else a fixed one; printed.

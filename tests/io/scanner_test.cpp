@@ -1,5 +1,7 @@
 #include "io/scanner.h"
 
+#include <array>
+#include <charconv>
 #include <cstdio>
 #include <locale>
 
@@ -169,6 +171,43 @@ TEST(Scanner, JoinsLinesOnlyOnRequest) {
   Scanner plain("a \\\nb");
   EXPECT_EQ(plain.word(), "a");
   EXPECT_EQ(plain.word(), "\\");
+}
+
+// Decimals around the middle of two doubles, written with up to 800 digits, and random words: the standard library's
+// from_chars is the second way, to the bit.
+TEST(Scanner, NumbersAreThoseOfTheStandardLibrary) {
+  std::mt19937_64 random(test::seed());
+  std::vector<std::string> words = {"0x10", "1e", "1e+", ".", "-", "+", "+-1", "--1", "1.2.3", "1,5", "e5", "1d5"};
+  for (int round = 0; round < 4000; ++round) {
+    const double value = std::fabs(test::any_finite(random));
+    std::array<char, 1200> exact = {};
+    // All digits of a double, and of a number close to the middle between it and the next one.
+    const auto size = static_cast<std::size_t>(std::snprintf(exact.data(), exact.size(), "%.780e", value));
+    std::string digits(exact.data(), size);
+    words.push_back(digits);
+    digits[2 + random() % 770] = static_cast<char>('0' + random() % 10);
+    words.push_back(digits);
+    words.push_back("-" + std::to_string(random()) + "e" + std::to_string(static_cast<int>(random() % 700) - 350));
+    words.push_back(std::to_string(random() >> 11) + "5" + std::string(random() % 30, '0') + "1e-" +
+                    std::to_string(random() % 340));
+    std::string junk;
+    for (std::size_t i = random() % 9 + 1; i > 0; --i) junk.push_back("0123456789.eE+-nif"[random() % 18]);
+    words.push_back(junk);
+  }
+
+  for (const std::string& word : words) {
+    const char* const first = word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
+    const char* const last = word.data() + word.size();
+    double expected = 0, value = 0;
+    const auto [end, code] = std::from_chars(first, last, expected);
+    const std::string found = number_code(word, value);
+    if (code == std::errc::invalid_argument || end != last) {
+      EXPECT_EQ(found, "bad-number") << word;
+    } else if (code == std::errc() && std::isfinite(expected)) {
+      EXPECT_EQ(found, "") << word;
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected)) << word;
+    }
+  }
 }
 
 }  // namespace
