@@ -35,7 +35,9 @@ struct MeshImport {
 };
 
 struct ModelOptions {
-  /// The grid of the result. Default: the model's, else the finest of its solids, else one that fits the primitives.
+  /// The grid of the result. Default: the model's, else the common grid of its solids and of the box of its primitives
+  /// (docs/doors.md), without solids one that fits the primitives. Solids are rounded to a grid that nobody asked for,
+  /// where they have to be, and counted among the primitives of the report.
   std::optional<Grid> grid = {};
   /// Values of parameters, instead of their defaults. A name that the model does not know is "bad-parameter".
   std::map<std::string, std::string> parameters = {};

@@ -138,6 +138,41 @@ TEST(CommonGrid, LawsOfRandomPairs) {
   }
 }
 
+// The second way to see that a grid is there: all steps of 2^k times the finer one, about two origins.
+TEST(CommonGrid, WherePairsAreRoundedNoPowerOfTwoHoldsThem) {
+  auto random = random_engine();
+  int rounded = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Pair pair = random_pair(random);
+    const std::vector<Solid> solids{pair.a, pair.b};
+    const CommonGrid common = common_grid(solids);
+    const bool is_exact = common.exact[0] && common.exact[1];
+    rounded += !is_exact;
+
+    bool is_found = false;
+    const grid::Lattice &a = Access::lattice(pair.a), &b = Access::lattice(pair.b);
+    const Rational size = pair.size();
+    grid::ModelBox box = model_box(pair.a);
+    box.add(model_box(pair.b));
+    for (grid::Lattice at{std::min(a.step, b.step)}; at.step < size; at.step *= 2) {
+      at.origin = a.step < b.step ? b.origin : a.origin;
+      const auto holds = [&] {
+        const Grid grid = Access::grid(at);
+        return exactly_on(pair.a, grid).has_value() && exactly_on(pair.b, grid).has_value();
+      };
+      is_found = is_found || holds();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rational steps = ((box.low[k] + box.high[k]) / 2 - at.origin[k]) / at.step;
+        at.origin[k] += at.step * Rational(exact::Integer(numerator(steps) / denominator(steps)));
+      }
+      is_found = is_found || holds();
+    }
+    EXPECT_TRUE(is_exact || !is_found) << round;
+  }
+  EXPECT_GT(rounded, 20);
+  EXPECT_LT(rounded, 180);
+}
+
 TEST(CommonGrid, AnyOrderOfManyOperands) {
   auto random = random_engine();
   for (int round = 0; round < 5; ++round) {

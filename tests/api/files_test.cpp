@@ -304,6 +304,45 @@ TEST_F(Files, OneCommonGrid) {
   EXPECT_TRUE(read({}).value().empty());
 }
 
+// A mesh beyond the world of the exact source's grid.
+TEST_F(Files, MeshesBeyondTheWorldOfExactSources) {
+  const Mesh wide = box_mesh({0, 0, 0}, {1024, 1024, 1});
+  put("wide.off", to_bytes(wide, Format::off).value());
+  const Mesh unit = box_mesh({0, 0, 0}, {1, 1, 1});
+  ASSERT_TRUE(Solid::from_triangles(unit.points, unit.triangles).value().write(path("unit.quoin")));
+  std::vector<ImportReport> reports;
+  const auto solids = read({path("unit.quoin"), path("wide.off")}, {}, &reports);
+  ASSERT_TRUE(solids) << solids.error().message;
+  EXPECT_TRUE(solids.value()[0].grid() == solids.value()[1].grid());
+  EXPECT_EQ(volume(solids.value()[1] - solids.value()[0]), "1048575");
+  EXPECT_EQ(reports[0].max_snap, 0);
+  EXPECT_EQ(reports[1].max_snap, 0);
+
+  // Long normals on a fine grid, beside a plate that needs a coarse one.
+  const std::vector<double> points{-.31, -.4, -.3, .5, -.3, -.2, .01, .5, -.4, .1, .2, .5};
+  const Solid skew =
+      Solid::from_triangles(points, std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}).value();
+  ASSERT_TRUE(skew.write(path("skew.quoin")));
+  const Mesh huge = box_mesh({0, 0, 0}, {1e9, 1e9, 1e9});
+  put("huge.off", to_bytes(huge, Format::off).value());
+  for (const auto& names : std::vector<std::vector<std::string>>{{path("skew.quoin"), path("huge.off")},
+                                                                 {path("huge.off"), path("skew.quoin")}}) {
+    const auto rounded = read(names, {}, &reports);
+    ASSERT_TRUE(rounded) << rounded.error().message;
+    const std::size_t at = names[0] == path("skew.quoin") ? 0 : 1;
+    EXPECT_GT(reports[at].max_snap, 0);
+    EXPECT_LT(reports[at].max_snap, 1e-15);
+    EXPECT_EQ(reports[1 - at].max_snap, 0);
+  }
+
+  ImportOptions exact;
+  exact.run.grid_rule = GridRule::exact;
+  const auto refused = read({path("huge.off"), path("skew.quoin")}, exact);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::inexact_grid);
+  EXPECT_EQ(refused.error().file, path("skew.quoin"));
+}
+
 TEST_F(Files, AMeshWithoutFacesIsRefused) {
   const std::vector<std::pair<std::string, std::string>> files = {
       {"wires.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"},
