@@ -66,6 +66,7 @@ Examples:
   quoin info - --format stl < part.stl)"},
     {Command::check, "check", "Says whether A is a valid solid, and what import did to it.",
      R"(Exit code 0: valid; 1: refused, and the error says why and where. --quiet prints nothing but that error.
+Of a mesh that is open or inside out it lists what is wrong, where, and the --repair that cures it.
 check always proves that the surface does not cross itself: --trust changes nothing.
 Examples:
   quoin check scan.ply
@@ -157,7 +158,8 @@ Grid: points of meshes are snapped to a common grid, and everything after that i
   exact. Of several grids a common one is found, exact where any is; else the operands that do not fit are rounded, once,
   and reported; --exact-grid refuses instead.
 
-Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
+Meshes must be closed and not inside out; a refusal names the place, what is wrong there and its cure: `check` lists
+  all of it, --repair cures it. What a file holds besides faces is passed over, a line each on stderr. A warning on stderr names a body that is inside out
   among others, since nothing is left of it; --quiet suppresses it.
 
 Triangles are written valid: read as exact numbers they bound a solid without crossings. Numbers are correctly rounded;

@@ -244,6 +244,8 @@ bool seal_exactly(ImportedMesh& mesh) {
   std::erase_if(triangles, [&](const Triangle& t) {
     return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   });
+  // Closed by this alone it is not: triangles without area count in the proof.
+  if (is_balanced(corners_of(triangles), mesh.points.size())) return false;
   const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, Pairing::opposite);
   if (!is_balanced(corners_of(triangles), mesh.points.size())) return false;
 

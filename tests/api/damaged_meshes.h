@@ -2,6 +2,7 @@
 /// Closed meshes, and ways to damage them that are known to the last digit.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>

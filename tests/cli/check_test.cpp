@@ -22,6 +22,53 @@ TEST_F(CliTest, CheckRefusesAnOpenSurface) {
   expect_error(run({"check", "open.off", "--json"}), 1, "open-boundary", "open.off");
 }
 
+/// A cube without its last face, with another face there twice.
+std::string open_cube_with_a_copy() {
+  std::string text = cube("0", "2");
+  text.replace(text.rfind("4 1 3 7 5"), 9, "4 0 2 3 1");
+  return text;
+}
+
+TEST_F(CliTest, CheckSaysAllThatIsWrong) {
+  put("open.off", open_cube_with_a_copy());
+  const Outcome plain = run({"check", "open.off"});
+  EXPECT_EQ(plain.code, 1);
+  EXPECT_EQ(plain.out,
+            "  2 faces are there more often than the surface needs (near (0, 0, 0)); cure: --repair duplicates\n"
+            "  1 planar hole, 2.828427124746193 across (near (2, 0, 0)); cure: --repair caps\n")
+      << plain.err;
+  const Json object = run({"check", "open.off", "--json"}).json();
+  ASSERT_EQ(object["findings"].size(), 2U);
+  expect_keys(object["findings"][0], {"kind", "count", "size", "where", "cure", "sentence"});
+}
+
+TEST_F(CliTest, RepairCuresWhatItIsAskedToAndSaysSo) {
+  put("open.off", open_cube_with_a_copy());
+  expect_error(run({"info", "open.off", "--repair", "caps", "--json"}), 1, "open-boundary", "open.off");
+  const Words words{"info", "open.off", "--json", "--repair", "caps,duplicates"};
+  const Outcome r = run(words);
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(r.json()["volume"], "8");
+  EXPECT_EQ(r.json()["import"][0]["repairs"].size(), 2U);
+  EXPECT_EQ(r.err,
+            "quoin: open.off: repaired: 2 copies of faces dropped (near (0, 0, 0))\n"
+            "quoin: open.off: repaired: 1 planar hole closed, at most 2.828427124746193 across (near (2, 0, 0))\n");
+  EXPECT_EQ(run({"--repair", "all", "convert", "open.off", "-o", "out.quoin", "--quiet"}).err, "");
+  EXPECT_EQ(run({"info", "out.quoin", "--json"}).json()["volume"], "8");
+  expect_error(run({"info", "open.off", "--repair", "magic", "--json"}), 2, "usage");
+}
+
+TEST_F(CliTest, WhatIsPassedOverIsSaid) {
+  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\nl 1 2\n"
+               "f 1 3 2\nfo 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const Outcome r = run({"info", "a.obj", "--json"});
+  EXPECT_EQ(r.json()["volume"], "1/6");
+  EXPECT_EQ(r.err, "quoin: a.obj: 2 normals are passed over\nquoin: a.obj: 1 line is passed over\n");
+  EXPECT_EQ(r.json()["import"][0]["notices"].size(), 2U);
+  EXPECT_EQ(r.json()["import"][0]["notices"][0]["count"], 2);
+  EXPECT_EQ(run({"info", "a.obj", "--quiet"}).err, "");
+}
+
 TEST_F(CliTest, CheckRefusesAnInsideOutSurface) {
   std::string text = cube("0", "1");
   const auto faces = text.find("4 0 2 3 1");

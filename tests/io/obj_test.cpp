@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "io/formats.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {
@@ -92,6 +93,20 @@ TEST(Obj, AWireframeHasNoFaces) {
 TEST(Obj, PrefixesAndMutations) {
   (void)test::read_all_prefixes(small, Format::obj);
   test::read_mutations(small, Format::obj, 20000);
+}
+
+TEST(Obj, WhatIsPassedOverIsCounted) {
+  const auto mesh = read_obj(
+      "v 0 0 0 1 0 0\nv 1 0 0 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl red\np 1\nl 1 2\nfo 1 2 3\nf 1/1 2/1 3/1\n");
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  EXPECT_EQ(mesh.value().starts.size(), 3U);
+  std::vector<std::string> said;
+  for (const Notice& notice : mesh.value().notices) said.push_back(notice.sentence);
+  const std::vector<std::string> expected = {"1 colour of a vertex is passed over", "1 normal is passed over",
+                                             "1 texture coordinate is passed over",
+                                             "1 use of a material is passed over", "1 line is passed over",
+                                             "1 point is passed over"};
+  EXPECT_EQ(said, expected);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "io/formats.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {
@@ -97,6 +98,14 @@ TEST(Off, PrefixesAndMutations) {
   // Whole, without its last line end.
   EXPECT_EQ(test::read_all_prefixes(small, Format::off), 2U);
   test::read_mutations(small, Format::off, 20000);
+}
+
+TEST(Off, WhatStandsBehindNumbersIsCounted) {
+  const auto mesh = read_off("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0\n3 0 1 2 9 9 9\n");
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  ASSERT_EQ(mesh.value().notices.size(), 2U);
+  EXPECT_EQ(mesh.value().notices[0].count, 2U);
+  EXPECT_EQ(mesh.value().notices[1], (Notice{1, "1 colour of a face is passed over"}));
 }
 
 }  // namespace

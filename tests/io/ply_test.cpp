@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "io/formats.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {
@@ -214,6 +215,18 @@ TEST(Ply, PrefixesAndMutations) {
   test::read_mutations(rich_binary(false), Format::ply, 20000);
   test::read_mutations(rich_binary(true), Format::ply, 20000);
   test::read_mutations(rich_ascii(), Format::ply, 20000);
+}
+
+TEST(Ply, TriangleStripsTurnEveryOtherTriangle) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nelement tristrips 1\nproperty list int int vertex_indices\n"
+      "end_header\n0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n1 1 0 1 2\n0 2 0 1 2\n11 0 1 2 3 4 -1 4 4 2 3 -1\n";
+  const auto mesh = read_ply(text);
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  EXPECT_EQ(mesh.value().corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 2, 3, 4, 2, 4, 3}));
+  ASSERT_EQ(mesh.value().notices.size(), 1U);
+  EXPECT_EQ(mesh.value().notices[0], (Notice{5, "5 rows of vertex: red, green are passed over"}));
 }
 
 }  // namespace

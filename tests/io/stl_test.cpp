@@ -1,6 +1,7 @@
 #include <cfloat>
 #include <cstring>
 
+#include "io/formats.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {
@@ -187,6 +188,17 @@ TEST(Stl, PrefixesAndMutations) {
   EXPECT_EQ(test::read_all_prefixes(ascii_facet, Format::stl), 1 + std::strlen(" a name\n"));
   test::read_mutations(solid, Format::stl, 20000);
   test::read_mutations(ascii_facet, Format::stl_ascii, 20000);
+}
+
+TEST(Stl, WordsBehindAFacetArePassedOver) {
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+  const auto mesh = read_stl("solid a\n" + facet + "endfacet 12 red\n" + facet + "endfacet " + facet +
+                             "endfacet endsolid a\nsolid b\nendsolid b\n");
+  ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+  EXPECT_EQ(mesh.value().starts.size(), 4U);
+  ASSERT_EQ(mesh.value().notices.size(), 2U);
+  EXPECT_EQ(mesh.value().notices[0], (Notice{2, "2 words behind facets are passed over"}));
+  EXPECT_EQ(mesh.value().notices[1], (Notice{1, "1 part without facets is passed over"}));
 }
 
 }  // namespace
