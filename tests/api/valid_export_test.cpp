@@ -150,5 +150,32 @@ TEST(ValidExport, HostileSolidsAreWrittenValid) {
   EXPECT_TRUE(cases < 60 || spoiled > 0);
 }
 
+TEST(ValidExport, ExactPointsDoNotMove) {
+  ExportReport report;
+  const Solid solid = box({0, 0, 0}, {3, 2, 1}) - box({1, 1, 0}, {2, 3, 1});
+  for (const bool float32 : {false, true}) {
+    ASSERT_TRUE(solid.to_triangles({.float32 = float32}, &report));
+    EXPECT_EQ(report.max_round, 0);
+    EXPECT_TRUE(report.valid);
+    EXPECT_EQ(report.mending_rounds, 0u);
+  }
+  // A third is not a double: at most half a unit in its last place away, in each direction.
+  ASSERT_TRUE(box({0, 0, 0}, {1, 1, 1}, grid_of("1/3")).to_triangles({}, &report));
+  EXPECT_GT(report.max_round, 0);
+  EXPECT_LT(report.max_round, 0x1p-52);
+}
+
+TEST(ValidExport, RecentredIsTheSameSolidElsewhere) {
+  const Solid solid =
+      box({1000001, -70000, 3}, {1000005, -69999, 4}) - box({1000002, -70000, 3}, {1000003, -69999, 3.5});
+  const Mesh there = solid.to_triangles().value();
+  ExportReport report;
+  Mesh here = solid.to_triangles({.recentre = true}, &report).value();
+  EXPECT_EQ(report.recentred, (std::array<double, 3>{1000004, -70000, 4}));
+  for (std::size_t i = 0; i < here.points.size(); ++i) here.points[i] += report.recentred[i % 3];
+  EXPECT_EQ(here.points, there.points);
+  EXPECT_EQ(here.triangles, there.triangles);
+}
+
 }  // namespace
 }  // namespace quoin
