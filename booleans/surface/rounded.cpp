@@ -113,6 +113,7 @@ Moves moves(const Body& body, const Triangulated& mesh, const grid::Lattice& lat
   const std::size_t count = mesh.vertex_count();
   Moves all;
   all.moved.resize(count);
+  all.first = first_changed(body, mesh, lattice, floats);
   std::vector<double> most(count / length + 1);
   grid::in_stretches(count, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -20,6 +20,8 @@ std::vector<double> rounded_points(const Body& body, const Triangulated& mesh, c
 struct Moves {
   /// By output vertex: 0 where the rounded point is known to be the exact one. Empty where none moved.
   Array<std::uint8_t> moved;
+  /// Triangles before this one have no corner that moved.
+  std::size_t first = 0;
   /// An upper bound of the largest distance, model units; 0 where none moved.
   double most = 0;
 };

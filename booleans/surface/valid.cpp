@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -285,8 +286,6 @@ class Proof {
   }
 
  private:
-  static constexpr std::size_t length = 256;
-
   /// Copies of a vertex that `separated` added have one place.
   void number_added() {
     const auto first = static_cast<std::uint32_t>(body_.vertex_count());
@@ -335,6 +334,14 @@ class Proof {
     }
     return b;
   }
+  /// Of a raw triangle that did not move.
+  WideBox raw_box(std::uint32_t t) const {
+    const auto& c = body_.triangles[mesh_.face[t]];
+    WideBox b(body_.grid_points[c[0]]);
+    b.add(body_.grid_points[c[1]]);
+    b.add(body_.grid_points[c[2]]);
+    return b;
+  }
   Box moving_box(std::uint32_t t) const {
     Box b = box(t);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -346,10 +353,11 @@ class Proof {
 
   void find_moved() {
     const auto count = static_cast<std::uint32_t>(mesh_.triangle_count());
-    for (std::uint32_t t = 0; t < count; ++t) {
+    for (auto t = static_cast<std::uint32_t>(moves_.first); t < count; ++t) {
       if (!has_moved(t)) continue;
-      moved_.push_back(t);
-      reach_.add(moving_box(t));
+      const Box own = moving_box(t);
+      moved_.push_back({own, t, 0});
+      reach_.add(own);
     }
   }
 
@@ -363,32 +371,62 @@ class Proof {
     return !meet_out_of_place(rational(t.at), rational(u.at), shared);
   }
 
-  bool pairs_are_proper() {
-    Array<BoxTree::Item> items(moved_.size());
-    grid::in_stretches(items.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) items[i] = {moving_box(moved_[i]), moved_[i], 0};
-    });
-    const BoxTree tree(items);
-    std::atomic<bool> proper = true;
+  /// Adds a triangle to `doubtful` where it may lose its area on its way.
+  void examine(std::uint32_t t, Array<std::uint32_t>& doubtful) const {
+    if (!keeps_area(triangle(t))) doubtful.push_back(t);
+  }
 
-    // A moved triangle with those before it, one that did not move with all that did.
-    const std::size_t count = mesh_.triangle_count();
-    Array<Array<std::uint32_t>> doubtful(count / length + 1);
-    grid::in_stretches(count, length, [&](std::size_t s, std::size_t begin, std::size_t end) {
-      if (!proper) return;
-      for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-        const bool moved = has_moved(t);
-        const Box own = moved ? moving_box(t) : box(t);
-        if (!moved && !own.meets(reach_)) continue;
-        if (moved && !keeps_area(triangle(t))) doubtful[s].push_back(t);
-        tree.meeting(own, [&](std::uint32_t u) {
-          if ((moved && u >= t) || !proper) return;
-          if (!is_proper(t, u, doubtful[s])) proper = false;
-        });
+  /// Of two triangles that moved.
+  bool moved_are_proper(const BoxTree& tree) {
+    Array<std::array<std::uint32_t, 2>> blocks;
+    const auto never = [](std::size_t, std::uint32_t, std::uint32_t) { return false; };
+    tree.block_pairs(BoxTree::Pairs::all, never, [&](std::uint32_t x, std::uint32_t y) { blocks.push_back({x, y}); });
+
+    std::atomic<bool> proper = true;
+    const std::size_t batch = grid::long_stretch(blocks.size(), 64);
+    Array<Array<std::uint32_t>> doubtful(blocks.size() / batch + 1);
+    grid::in_stretches(blocks.size(), batch, [&](std::size_t s, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && proper; ++i) {
+        const auto [x, y] = blocks[i];
+        for (LanePairs left = tree.lane_pairs(BoxTree::Pairs::all, x, y); left != 0; left &= left - 1) {
+          const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+          const std::uint32_t f = tree.ids()[x * BoxBlock::width + lane / BoxBlock::width];
+          const std::uint32_t g = tree.ids()[y * BoxBlock::width + lane % BoxBlock::width];
+          if (f != g && !is_proper(f, g, doubtful[s])) proper = false;
+        }
       }
     });
     if (proper) doubtful_ = grid::joined(doubtful);
     return proper;
+  }
+
+  /// Of a triangle that did not move and one that did.
+  bool others_are_proper(const BoxTree& tree) {
+    std::atomic<bool> proper = true;
+    const WideBox reach(reach_);
+    const std::size_t count = mesh_.triangle_count(), batch = grid::long_stretch(count, 1024);
+    Array<Array<std::uint32_t>> doubtful(count / batch + 1);
+    grid::in_stretches(count, batch, [&](std::size_t s, std::size_t begin, std::size_t end) {
+      for (auto t = static_cast<std::uint32_t>(begin); t < end && proper; ++t) {
+        if (t >= moves_.first && has_moved(t)) {
+          examine(t, doubtful[s]);
+          continue;
+        }
+        if (t < moves_.first && !raw_box(t).meets(reach)) continue;
+        const Box own = box(t);
+        if (!own.meets(reach_)) continue;
+        tree.meeting(own, [&](std::uint32_t u) {
+          if (proper && !is_proper(t, u, doubtful[s])) proper = false;
+        });
+      }
+    });
+    for (const auto& part : doubtful) doubtful_.insert(doubtful_.end(), part.begin(), part.end());
+    return proper;
+  }
+
+  bool pairs_are_proper() {
+    const BoxTree tree(moved_);
+    return moved_are_proper(tree) && others_are_proper(tree);
   }
 
   /// Triangles of one component, joined by edges of two triangles.
@@ -482,7 +520,7 @@ class Proof {
   const std::int32_t pad_;
   double unit_, floor_;
   Array<std::uint32_t> added_place_;
-  Array<std::uint32_t> moved_;     // triangles of which a corner moved, ascending
+  Array<BoxTree::Item> moved_;     // triangles of which a corner moved, ascending
   Box reach_;                      // of these
   Array<std::uint32_t> doubtful_;  // triangles whose way is not known
 };

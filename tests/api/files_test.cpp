@@ -540,7 +540,7 @@ TEST(Export, ReportsWhatRoundingCollapsed) {
   ExportReport report;
   ASSERT_TRUE(a.to_triangles({}, &report));
   EXPECT_EQ(report.collapsed, 0u);
-  ASSERT_TRUE(a.to_triangles({Topology::manifold, true}, &report));
+  ASSERT_TRUE(a.to_triangles({.float32 = true, .validity = Validity::fast}, &report));
   EXPECT_EQ(report.collapsed, 8u);
   EXPECT_EQ(report.flipped, 0u);
   EXPECT_TRUE(report.closed);
@@ -553,7 +553,7 @@ TEST(Export, ReportsWhatRoundingFlipped) {
   ExportReport report;
   ASSERT_TRUE(a.to_triangles({}, &report));
   EXPECT_EQ(report.flipped + report.collapsed, 0u);
-  ASSERT_TRUE(a.to_triangles({Topology::manifold, true}, &report));
+  ASSERT_TRUE(a.to_triangles({.float32 = true, .validity = Validity::fast}, &report));
   EXPECT_GT(report.flipped, 0u);
 }
 

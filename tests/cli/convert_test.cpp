@@ -23,12 +23,30 @@ TEST_F(CliTest, ConvertKeepsTheSolidInEveryFormat) {
 TEST_F(CliTest, WhatRoundingDoesIsThatOfTheFormat) {
   put("far.off", cube("67108864", "67108865"));
   for (const auto& [name, collapsed] : std::vector<std::pair<std::string, int>>{{"out.stl", 12}, {"out.off", 0}}) {
-    const Outcome r = run({"convert", "far.off", "-o", name, "--step", "1", "--json"});
+    const Outcome r = run({"convert", "far.off", "-o", name, "--step", "1", "--json", "--fast"});
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.json()["export"]["collapsed"], collapsed) << name;
     EXPECT_EQ(r.json()["export"]["flipped"], 0) << name;
     EXPECT_EQ(r.json()["volume"], "1");
   }
+}
+
+// The same cube is nothing in valid float32, and a word is said about it. Recentred it is there.
+TEST_F(CliTest, FarSolidsAreRecentredOnRequest) {
+  put("far.off", cube("67108864", "67108865"));
+  const Outcome lost = run({"convert", "far.off", "-o", "out.stl", "--step", "1", "--json"});
+  ASSERT_EQ(lost.code, 0) << lost.err;
+  EXPECT_NE(lost.err.find("nothing is left"), std::string::npos) << lost.err;
+  EXPECT_EQ(lost.json()["export"]["valid"], true);
+  EXPECT_EQ(run({"convert", "far.off", "-o", "out.stl", "--step", "1", "--quiet"}).err, "");
+
+  const Outcome kept = run({"convert", "far.off", "-o", "out.stl", "--step", "1", "--json", "--recentre"});
+  ASSERT_EQ(kept.code, 0) << kept.err;
+  EXPECT_EQ(kept.err, "");
+  EXPECT_EQ(kept.json()["max_round"], 0);
+  EXPECT_EQ(kept.json()["export"]["recentred"], (std::vector<double>{67108864, 67108864, 67108864}));
+  EXPECT_EQ(run({"info", "out.stl", "--json"}).json()["volume"], "1");
+  EXPECT_EQ(run({"convert", "far.off", "-o", "out.stl", "--fast", "--valid"}).code, 2);
 }
 
 // The second way: triangulating large faces asks for signs. A file and its summary ask for as many as the summary
