@@ -140,8 +140,9 @@ std::optional<Format> format_called(std::string_view name) {
 
 Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
-Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust) {
-  const auto bytes = io::read_file(path);
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust,
+                           const Limits& limits) {
+  const auto bytes = io::read_file(path, limits);
   if (!bytes) return in_file(bytes.error(), path);
   auto source = parsed(path, bytes.value(), format, trust);
   if (!source) return in_file(source.error(), path);
@@ -157,7 +158,7 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
                                 std::vector<ImportReport>* reports) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    auto source = read_source(path, std::nullopt, options.trust);
+    auto source = read_source(path, std::nullopt, options.trust, options.limits);
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }
@@ -172,13 +173,14 @@ Result<Solid> read_solid(const std::string& path, const ImportOptions& options, 
   return std::move(solids.value()[0]);
 }
 
-Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports) {
+Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports,
+                          const ModelReadOptions& options) {
   if (imports) imports->clear();
-  const auto text = io::read_file(path);
+  const auto text = io::read_file(path, options.limits);
   if (!text) return in_file(text.error(), path);
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, std::max<std::size_t>(slash, 1));
-  auto model = from_json(text.value(), folder, imports);
+  auto model = from_json(text.value(), folder, imports, options);
   // The mesh beside it has its own name.
   if (!model && model.error().file.empty()) return in_file(model.error(), path);
   return model;

@@ -45,6 +45,9 @@ struct Arguments {
   std::optional<Grid> grid;
   std::optional<Format> format;
   Topology topology = Topology::manifold;
+  Limits limits = {};
+  /// Of eval: the model may name files anywhere.
+  bool any_path = false;
   unsigned threads = 0;
   bool json = false;
   bool trust = false;

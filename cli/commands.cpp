@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "ending.h"
 #include "output.h"
 #include "signals.h"
 
@@ -128,14 +129,16 @@ Result<Operands> load(Session& session, Trust trust) {
   std::vector<Source> sources;
   sources.reserve(a.inputs.size());
   for (const auto& path : a.inputs) {
-    auto source = session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust); });
+    auto source =
+        session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust, a.limits); });
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }
 
   std::vector<ImportReport> reports;
   auto solids = polled_stage(session, Stage::build, [&] {
-    const ImportOptions options = {.grid = a.grid, .trust = trust, .run = session.options("building")};
+    const ImportOptions options = {
+        .grid = a.grid, .trust = trust, .run = session.options("building"), .limits = a.limits};
     return build(std::move(sources), options, &reports);
   });
   if (!solids) return solids.error();
@@ -154,14 +157,20 @@ Result<Operands> load(Session& session) {
 Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& imports) {
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
-  const auto model = session.times.measure(Stage::read, [&] { return Model::read(path, &imports); });
+  const auto model = session.times.measure(Stage::read, [&] {
+    return Model::read(path, &imports,
+                       {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below, .limits = a.limits});
+  });
   if (!model) return model.error();
   warn_of_losses(a, imports);
 
   Computed computed;
   auto solid = polled_stage(session, Stage::boolean, [&] {
-    const ModelOptions options = {
-        .grid = a.grid, .parameters = a.parameters, .rounding = a.rounding, .run = session.options("evaluating")};
+    const ModelOptions options = {.grid = a.grid,
+                                  .parameters = a.parameters,
+                                  .rounding = a.rounding,
+                                  .run = session.options("evaluating"),
+                                  .limits = a.limits};
     return evaluate(model.value(), options, &computed.motion.emplace());
   });
   if (!solid) {
@@ -411,9 +420,12 @@ Result<void> run_writing(Session& session) {
 
   // Nothing is written before everything is ready.
   for (const auto& output : outputs) {
-    const PolledStage guard;
-    const auto written =
-        session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes, &cancel_flag()); });
+    const auto written = session.times.measure(Stage::write, [&] {
+      const WritingStage guard;
+      auto result = write_bytes(output.path, output.bytes, &cancel_flag());
+      if (result) note_written(output.path);
+      return result;
+    });
     if (!written) return written.error().code == ErrorCode::cancelled ? cancelled_error() : written.error();
   }
 

@@ -54,6 +54,7 @@ Examples:
     {Command::eval, "eval", "Evaluates a model: primitives, motions and Booleans in a JSON file.",
      R"(The format is described in docs/model-format.md. All motions above a primitive act at once, and it is rounded once.
 eval always proves that no mesh or solid of the model crosses itself: --trust changes nothing.
+A model may name files in its folder and below; --any-path lets it name others.
 Examples:
   quoin eval bracket.json -o bracket.stl
   quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},
@@ -140,7 +141,7 @@ std::string general_help() {
           " are triangle or polygon meshes; " + extensions(true) + " is the exact solid, without any loss.\n";
   text += R"(  Content decides the format where it can, then the extension.
   "-" is standard input or output; --format then says what flows through it.
-  An output file appears whole or not at all.
+  An output file appears whole or not at all. One that exists keeps its owner, permissions and links.
 
 Units: meshes are read without a unit. Quoin takes their numbers as they are ("model units", often millimetres):
   operands must use the same one. Volumes are in cubic model units.
@@ -152,6 +153,8 @@ Grid: points of meshes are snapped to a common grid, and everything after that i
 
 Meshes must be closed and not inside out; a refusal names the place. A warning on stderr names a body that is inside out
   among others, since nothing is left of it; --quiet suppresses it.
+
+Input that asks for more than memory should give is refused (too-large), naming the limit; --limits raises it.
 
 Examples:
   quoin union body.stl handle.stl -o part.stl

@@ -13,6 +13,7 @@
 #include "quoin/format.h"
 #include "quoin/grid.h"
 #include "quoin/import.h"
+#include "quoin/limits.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
@@ -41,9 +42,9 @@ struct Source {
 /// Reads and parses one file; "-" is standard input. Content decides the format where it can, then `format` if given,
 /// then the extension. `trust` is for .quoin files; meshes are proved by `build`. Errors: "missing-file", "unreadable",
 /// "unknown-format", "truncated", "bad-syntax", "bad-number", "non-finite", "bad-index", "absurd-count", "no-faces",
-/// "bad-quoin"; `file` is the path.
+/// "bad-quoin", "too-large" (the file; its mesh is measured by `build`); `file` is the path.
 QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Format> format = {},
-                                     Trust trust = Trust::nothing);
+                                     Trust trust = Trust::nothing, const Limits& limits = {});
 
 /// Solids of sources on one common grid, in their order: `options.grid` if given, else that of the exact sources (the
 /// finest one), else the one that fits all meshes together. Exact sources are re-expressed only where that is exact.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "quoin/grid.h"
+#include "quoin/limits.h"
 #include "quoin/options.h"
 
 namespace quoin {
@@ -26,6 +27,7 @@ struct ImportOptions {
   std::optional<Grid> grid = {};
   Trust trust = Trust::nothing;
   Options run = {};
+  Limits limits = {};
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.
