@@ -37,14 +37,14 @@ ObjectPath parted(const std::string& path) {
 }
 
 /// Reads a file beside another one: a name without a folder, so that no file says what is read elsewhere.
-io::Beside beside(const std::string& path) {
-  return [path](const std::string& name) -> Result<std::string> {
+io::Beside beside(const std::string& path, const Limits& limits) {
+  return [path, limits](const std::string& name) -> Result<std::string> {
     const std::size_t slash = path.rfind('/');
     const bool is_plain = !name.empty() && name != "-" && name != "." && name != ".." &&
                           name.find_first_of(std::string("/\\\0", 3)) == std::string::npos;
     if (path == "-" || !is_plain)
       return Error{ErrorCode::missing_file, "the file names another one that is not beside it", {}, name};
-    auto bytes = io::read_file((slash == std::string::npos ? std::string() : path.substr(0, slash + 1)) + name);
+    auto bytes = io::read_file((slash == std::string::npos ? std::string() : path.substr(0, slash + 1)) + name, limits);
     if (bytes) return bytes;
     Error error = bytes.error();
     error.where = name;
@@ -126,13 +126,13 @@ Result<std::vector<Source>> sources_of(const io::Scene& scene, const std::option
 }
 
 Result<std::vector<Source>> parsed(const ObjectPath& path, std::string_view bytes, std::optional<Format> hint,
-                                   Trust trust, std::optional<Unit> unit) {
+                                   Trust trust, std::optional<Unit> unit, const Limits& limits) {
   const auto named = hint ? Result<Format>(*hint) : format_of(path.file);
   const auto format = io::format_to_read(bytes, named ? std::optional(named.value()) : std::nullopt);
   if (!format) return named.error();
 
   if (!info_of(*format).is_exact) {
-    const auto scene = io::read_scene(bytes, *format, beside(path.file));
+    const auto scene = io::read_scene(bytes, *format, beside(path.file, limits));
     return scene ? sources_of(scene.value(), path.object, unit) : scene.error();
   }
   if (path.object && *path.object != "1")
@@ -408,19 +408,19 @@ Result<Format> format_of(std::string_view file_name) { return io::format_of(file
 std::string file_of(const std::string& path) { return parted(path).file; }
 
 Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format, Trust trust,
-                                         std::optional<Unit> unit) {
+                                         std::optional<Unit> unit, const Limits& limits) {
   const ObjectPath parts = parted(path);
-  const auto bytes = io::read_file(parts.file);
+  const auto bytes = io::read_file(parts.file, limits);
   if (!bytes) return in_file(bytes.error(), path);
-  auto sources = parsed(parts, bytes.value(), format, trust, unit);
+  auto sources = parsed(parts, bytes.value(), format, trust, unit, limits);
   if (!sources) return in_file(sources.error(), path);
   for (Source& source : sources.value()) source.name = path;
   return sources;
 }
 
-Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust,
-                           std::optional<Unit> unit) {
-  auto sources = read_objects(path, format, trust, unit);
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust, std::optional<Unit> unit,
+                           const Limits& limits) {
+  auto sources = read_objects(path, format, trust, unit, limits);
   if (!sources) return sources.error();
   return united(std::move(sources).value());
 }
@@ -434,7 +434,7 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
                                 std::vector<ImportReport>* reports) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    auto source = read_source(path, std::nullopt, options.trust);
+    auto source = read_source(path, std::nullopt, options.trust, {}, options.limits);
     if (!source) return source.error();
     sources.push_back(std::move(source).value());
   }
@@ -449,13 +449,13 @@ Result<Solid> read_solid(const std::string& path, const ImportOptions& options, 
   return std::move(solids.value()[0]);
 }
 
-Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports) {
+Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports, const ModelReadOptions& options) {
   if (imports) imports->clear();
-  const auto text = io::read_file(path);
+  const auto text = io::read_file(path, options.limits);
   if (!text) return in_file(text.error(), path);
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, std::max<std::size_t>(slash, 1));
-  auto model = from_json(text.value(), folder, imports);
+  auto model = from_json(text.value(), folder, imports, options);
   // The mesh beside it has its own name.
   if (!model && model.error().file.empty()) return in_file(model.error(), path);
   return model;

@@ -14,6 +14,7 @@
 #include "booleans/resolve.h"
 #include "grid/import.h"
 #include "grid/snap.h"
+#include "io/too_large.h"
 
 namespace quoin {
 namespace {
@@ -98,10 +99,19 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
   return solid;
 }
 
+Result<void> check_limits(std::size_t vertices, std::size_t faces, const Limits& limits) {
+  if (vertices > limits.vertices)
+    return io::too_large("the mesh of " + std::to_string(vertices) + " vertices has more", "vertices", limits.vertices);
+  if (faces > limits.faces)
+    return io::too_large("the mesh of " + std::to_string(faces) + " faces has more", "faces", limits.faces);
+  return {};
+}
+
 /// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.
 template <class Import>
-Result<Solid> import_to_end(std::span<const double> points, const ImportOptions& options, ImportReport* report,
-                            Import&& import) {
+Result<Solid> import_to_end(std::span<const double> points, std::size_t faces, const ImportOptions& options,
+                            ImportReport* report, Import&& import) {
+  if (const auto checked = check_limits(points.size() / 3, faces, options.limits); !checked) return checked.error();
   return run_to_end(options.run, [&](const Options& run) {
     return with_threads(run.threads, [&] { return imported(points, options, run, report, import); });
   });
@@ -181,9 +191,10 @@ Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const
   const auto coordinates = doubles(points, storage);
   const auto corners = unsigned_indices(triangles);
 
-  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice, grid::Curing& curing) {
-    return grid::import_triangles(coordinates, corners, lattice, grid::Facing::out, &curing);
-  });
+  return import_to_end(coordinates, corners.size() / 3, options, report,
+                       [&](const grid::Lattice& lattice, grid::Curing& curing) {
+                         return grid::import_triangles(coordinates, corners, lattice, grid::Facing::out, &curing);
+                       });
 }
 
 Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const Grid& grid) {
@@ -200,9 +211,10 @@ Result<Solid> Solid::from_polygons(Coordinates points, Indices starts, Indices c
   const auto coordinates = doubles(points, storage);
   const auto first = unsigned_indices(starts), all = unsigned_indices(corners);
 
-  return import_to_end(coordinates, options, report, [&](const grid::Lattice& lattice, grid::Curing& curing) {
-    return grid::import_polygons(coordinates, first, all, lattice, &curing);
-  });
+  return import_to_end(coordinates, first.empty() ? 0 : first.size() - 1, options, report,
+                       [&](const grid::Lattice& lattice, grid::Curing& curing) {
+                         return grid::import_polygons(coordinates, first, all, lattice, &curing);
+                       });
 }
 
 Result<Diagnosis> diagnose(Coordinates points, Indices starts, Indices corners, const ImportOptions& options) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -28,10 +30,21 @@ constexpr std::array<std::pair<std::string_view, Rounding>, 6> roundings = {
      {"face-local", Rounding::face_local},
      {"vertices", Rounding::vertices}}};
 
+constexpr std::array<std::pair<std::string_view, std::uint64_t Limits::*>, 9> limit_names = {
+    {{"bytes", &Limits::bytes},
+     {"stream-bytes", &Limits::stream_bytes},
+     {"vertices", &Limits::vertices},
+     {"faces", &Limits::faces},
+     {"nodes", &Limits::nodes},
+     {"model-faces", &Limits::model_faces},
+     {"sides", &Limits::sides},
+     {"digits", &Limits::digits},
+     {"depth", &Limits::depth}}};
+
 /// Values that still need a look after the words are parsed.
 struct RawOptions {
   std::string plane;
-  std::optional<std::string> step, format, unit, topology, rounding, repair;
+  std::optional<std::string> step, format, unit, topology, rounding, repair, limits;
   Words rotate, translate, mirror, scale, set;
   std::vector<std::string> order;  // of the motions
   bool version = false, valid = false, fast = false;
@@ -66,11 +79,17 @@ std::string rounding_names() {
   return alternatives(names);
 }
 
+std::string limit_list() {
+  std::vector<std::string_view> names;
+  for (const auto& limit : limit_names) names.push_back(limit.first);
+  return alternatives(names);
+}
+
 Error usage(std::string message) { return {.code = ErrorCode::usage, .message = std::move(message)}; }
 
 bool value_option(const std::string& word) {
   return word == "--step" || word == "--threads" || word == "--output-topology" || word == "--format" ||
-         word == "--repair" || word == "--unit";
+         word == "--repair" || word == "--unit" || word == "--limits";
 }
 
 bool answered(const Words& words, std::string_view long_name, std::string_view short_name) {
@@ -137,6 +156,8 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
   }
 
   if (a.command == Command::eval)
+    app->add_flag("--any-path", a.any_path, "The model may name files outside its folder.");
+  if (a.command == Command::eval)
     app->add_option("--set", raw.set, "NAME=VALUE: of a parameter of the model.")->allow_extra_args(false);
   if (a.command == Command::move || a.command == Command::eval)
     app->add_option("--rounding", raw.rounding,
@@ -172,6 +193,8 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                   unit_names() +
                       ": converts what states another unit, and is that of all other numbers; needed where operands "
                       "state different ones. What is written states it where the format can.");
+  app->add_option("--limits", raw.limits,
+                  "NAME=N,... or none: the most that is taken in of " + limit_list() + "; N may be none.");
   app->add_option("--threads", a.threads, "Worker threads; 0 (default): all. The result is the same for any number.")
       ->check(CLI::Range(0U, max_threads));
   app->add_flag("--json", a.json, "One JSON object on standard output, nothing else there.");
@@ -287,7 +310,40 @@ Result<Motion> read_motion(const RawOptions& raw) {
   return motion;
 }
 
+/// "none", or "sides=1000,bytes=none".
+Result<Limits> parse_limits(std::string_view text) {
+  constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
+  if (text == "none") return Limits::none();
+
+  Limits limits;
+  for (bool more = true; more;) {
+    const std::size_t comma = text.find(',');
+    const std::string_view item = text.substr(0, comma);
+    more = comma != std::string_view::npos;
+    text.remove_prefix(more ? comma + 1 : text.size());
+
+    const std::string_view name = item.substr(0, item.find('='));
+    const auto* limit =
+        std::find_if(limit_names.begin(), limit_names.end(), [&](const auto& known) { return known.first == name; });
+    if (limit == limit_names.end() || name.size() == item.size())
+      return usage("--limits wants none or NAME=N,... of " + limit_list() + ", not \"" + std::string(item) + "\"");
+
+    const std::string_view value = item.substr(name.size() + 1);
+    std::uint64_t number = any;
+    const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (value != "none" && (fault != std::errc() || end != value.data() + value.size()))
+      return usage("--limits: \"" + std::string(value) + "\" is neither a whole number nor none");
+    limits.*limit->second = value == "none" ? any : number;
+  }
+  return limits;
+}
+
 Result<void> read_values(const RawOptions& raw, Arguments& a) {
+  if (raw.limits) {
+    const auto limits = parse_limits(*raw.limits);
+    if (!limits) return limits.error();
+    a.limits = limits.value();
+  }
   if (raw.rounding) {
     const auto* found =
         std::find_if(roundings.begin(), roundings.end(), [&](const auto& r) { return r.first == *raw.rounding; });

@@ -52,6 +52,9 @@ struct Arguments {
   Topology topology = Topology::manifold;
   Validity validity = Validity::valid;
   bool recentre = false;
+  Limits limits = {};
+  /// Of eval: the model may name files anywhere.
+  bool any_path = false;
   unsigned threads = 0;
   bool json = false;
   bool trust = false;

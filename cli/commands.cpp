@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "ending.h"
 #include "output.h"
 #include "signals.h"
 
@@ -152,8 +153,8 @@ Result<Operands> load(Session& session, Trust trust) {
   std::vector<Source> sources, contents;
   sources.reserve(a.inputs.size());
   for (const auto& path : a.inputs) {
-    auto source =
-        session.times.measure(Stage::read, [&] { return read_source(path, a.input_format(path), trust, a.unit); });
+    auto source = session.times.measure(
+        Stage::read, [&] { return read_source(path, a.input_format(path), trust, a.unit, a.limits); });
     if (!source) return source.error();
     const Source& read = source.value();
     contents.push_back({.name = path, .unit = read.unit, .objects = read.objects});
@@ -163,7 +164,7 @@ Result<Operands> load(Session& session, Trust trust) {
   std::vector<ImportReport> reports;
   auto solids = polled_stage(session, Stage::build, [&] {
     const ImportOptions options = {
-        .grid = a.grid, .trust = trust, .run = session.options("building"), .repair = a.repair};
+        .grid = a.grid, .trust = trust, .run = session.options("building"), .repair = a.repair, .limits = a.limits};
     return build(std::move(sources), options, &reports);
   });
   if (!solids) {
@@ -186,14 +187,20 @@ Result<Operands> load(Session& session) {
 Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& imports) {
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
-  const auto model = session.times.measure(Stage::read, [&] { return Model::read(path, &imports); });
+  const auto model = session.times.measure(Stage::read, [&] {
+    return Model::read(path, &imports,
+                       {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below, .limits = a.limits});
+  });
   if (!model) return model.error();
   warn_of_losses(a, imports);
 
   Computed computed;
   auto solid = polled_stage(session, Stage::boolean, [&] {
-    const ModelOptions options = {
-        .grid = a.grid, .parameters = a.parameters, .rounding = a.rounding, .run = session.options("evaluating")};
+    const ModelOptions options = {.grid = a.grid,
+                                  .parameters = a.parameters,
+                                  .rounding = a.rounding,
+                                  .run = session.options("evaluating"),
+                                  .limits = a.limits};
     return evaluate(model.value(), options, &computed.motion.emplace());
   });
   if (!solid) {
@@ -501,9 +508,12 @@ Result<void> run_writing(Session& session) {
 
   // Nothing is written before everything is ready.
   for (const auto& output : outputs) {
-    const PolledStage guard;
-    const auto written =
-        session.times.measure(Stage::write, [&] { return write_bytes(output.path, output.bytes, &cancel_flag()); });
+    const auto written = session.times.measure(Stage::write, [&] {
+      const WritingStage guard;
+      auto result = write_bytes(output.path, output.bytes, &cancel_flag());
+      if (result) note_written(output.path);
+      return result;
+    });
     if (!written) return written.error().code == ErrorCode::cancelled ? cancelled_error() : written.error();
   }
 

@@ -54,6 +54,7 @@ Examples:
     {Command::eval, "eval", "Evaluates a model: primitives, motions and Booleans in a JSON file.",
      R"(The format is described in docs/model-format.md. All motions above a primitive act at once, and it is rounded once.
 eval always proves that no mesh or solid of the model crosses itself: --trust changes nothing.
+A model may name files in its folder and below; --any-path lets it name others.
 Examples:
   quoin eval bracket.json -o bracket.stl
   quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},
@@ -143,7 +144,7 @@ std::string general_help() {
           " are triangle or polygon meshes; " + extensions(true) + " is the exact solid, without any loss.\n";
   text += R"(  Content decides the format where it can, then the extension.
   "-" is standard input or output; --format then says what flows through it.
-  An output file appears whole or not at all.
+  An output file appears whole or not at all. One that exists keeps its owner, permissions and links.
   A file may hold several objects: part.3mf#2 is the second one (a build item of 3MF, a node with a mesh of glTF),
   part.3mf#lid the one of that name. Without "#" an operand is all objects of the file, united: the default.
 
@@ -165,6 +166,7 @@ Meshes must be closed and not inside out; a refusal names the place, what is wro
 Triangles are written valid: read as exact numbers they bound a solid without crossings. Numbers are correctly rounded;
   where that spoils thin parts the mesh is mended, and counted. --fast leaves it as rounded. A warning says when
   rounding moves points by more than the shortest edge; --recentre writes the mesh about the origin.
+Input that asks for more than memory should give is refused (too-large), naming the limit; --limits raises it.
 
 Examples:
   quoin union body.stl handle.stl -o part.stl

@@ -1,14 +1,18 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <numeric>
+#include <system_error>
 
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include "ending.h"
 
 namespace quoin::cli {
 namespace {
@@ -334,24 +338,32 @@ std::size_t peak_memory() {
 }
 
 Result<void> print(const std::string& text) {
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  // What comes after a part would not be understood.
+  static bool has_failed = false;
+  errno = 0;
+  const bool whole = !has_failed && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (std::fflush(stdout) == 0 && whole) return {};
-  return Error{.code = ErrorCode::unwritable, .message = "cannot write to standard output"};
+  const std::string reason = has_failed ? "it failed before" : std::generic_category().message(errno);
+  has_failed = true;
+  return Error{.code = ErrorCode::unwritable, .message = "cannot write to standard output: " + reason};
 }
 
 Result<void> print(const Json& object) { return print(dump(object)); }
 
 void print_error(const Error& error, bool json) {
+  const std::vector<std::string>& written = written_files();
   if (json) {
     Json object;
     object["error"] = {
         {"code", to_string(error.code)}, {"message", error.message}, {"file", error.file}, {"where", error.where}};
     if (!kept_findings().empty()) object["findings"] = findings_json(kept_findings());
+    if (!written.empty()) object["error"]["written"] = written;
     // The sentence below is said in any case.
     static_cast<void>(print(object));
   }
   std::string sentence = error.message;
   while (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
+  for (std::size_t i = 0; i < written.size(); ++i) sentence += (i == 0 ? ", but this is written: " : ", ") + written[i];
   print_line("quoin: " + sentence + place(error.file, error.where) + " [" + to_string(error.code) + "]");
 }
 

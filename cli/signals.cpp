@@ -1,9 +1,9 @@
 #include "signals.h"
 
 #include <csignal>
-#include <cstring>
+#include <initializer_list>
 
-#include <unistd.h>
+#include "ending.h"
 
 namespace quoin::cli {
 namespace {
@@ -13,37 +13,31 @@ static_assert(Cancel::is_always_lock_free);
 
 Cancel cancelled{false};
 Cancel polled{false};
-Cancel print_json{false};
+Cancel writing{false};
 
-constexpr char sentence[] = "quoin: interrupted [cancelled]\n";
-constexpr char object[] =
-    "{\"error\":{\"code\":\"cancelled\",\"message\":\"interrupted\",\"file\":\"\",\"where\":\"\"}}\n";
-
-void put(int descriptor, const char* text) {
-  // Nothing can be done here about a failed write.
-  [[maybe_unused]] const auto written = ::write(descriptor, text, std::strlen(text));
-}
+constexpr std::initializer_list<int> interruptions = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
 
 extern "C" void quoin_cli_handle_signal(int) {
   const bool first = !cancelled.exchange(true);
-  if (first && polled.load()) return;
-  put(STDERR_FILENO, sentence);
-  if (print_json.load()) put(STDOUT_FILENO, object);
-  ::_exit(exit_interrupted);
+  if (writing.load() || (first && polled.load())) return;
+  end_at_once(ErrorCode::cancelled, "interrupted", exit_interrupted);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action = {};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
 }  // namespace
 
-void install_signal_handlers(bool json) {
-  print_json = json;
+void install_signal_handlers() {
   struct sigaction action = {};
   action.sa_handler = quoin_cli_handle_signal;
   sigemptyset(&action.sa_mask);
   // One signal at a time. A write that waits for its reader is interrupted, and asks for the flag.
-  sigaddset(&action.sa_mask, SIGINT);
-  sigaddset(&action.sa_mask, SIGTERM);
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : interruptions) sigaddset(&action.sa_mask, signal);
+  for (const int signal : interruptions)
+    if (signal != SIGHUP || !is_ignored(SIGHUP)) ::sigaction(signal, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -53,5 +47,9 @@ const Cancel& cancel_flag() { return cancelled; }
 PolledStage::PolledStage() { polled = true; }
 
 PolledStage::~PolledStage() { polled = false; }
+
+WritingStage::WritingStage() { writing = true; }
+
+WritingStage::~WritingStage() { writing = false; }
 
 }  // namespace quoin::cli

@@ -1,17 +1,15 @@
 /// \file
-/// Interruption: SIGINT and SIGTERM end the program with exit code 130 and leave nothing behind.
+/// Interruption: SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGXCPU end the program with exit code 130 and leave nothing
+/// behind.
 #pragma once
 
 #include <quoin/quoin.h>
 
 namespace quoin::cli {
 
-/// Exit code of an interrupted command.
-inline constexpr int exit_interrupted = 130;
-
-/// Installs the handlers. With `json` an interruption that ends the process at once prints its error object on stdout.
-/// SIGPIPE and SIGXFSZ are ignored: writing then fails with an error that can be reported.
-void install_signal_handlers(bool json);
+/// Installs the handlers. SIGHUP stays ignored where it was (nohup). SIGPIPE and SIGXFSZ are ignored: writing then
+/// fails with an error that can be reported.
+void install_signal_handlers();
 
 /// Set by the first signal.
 const Cancel& cancel_flag();
@@ -24,6 +22,15 @@ class PolledStage {
   ~PolledStage();
   PolledStage(const PolledStage&) = delete;
   PolledStage& operator=(const PolledStage&) = delete;
+};
+
+/// While one lives a file is being written, which polls, and no signal ends the process: a temporary file would stay.
+class WritingStage {
+ public:
+  WritingStage();
+  ~WritingStage();
+  WritingStage(const WritingStage&) = delete;
+  WritingStage& operator=(const WritingStage&) = delete;
 };
 
 }  // namespace quoin::cli

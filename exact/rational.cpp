@@ -21,7 +21,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 Integer power_of_ten(unsigned e) { return boost::multiprecision::pow(Integer(10), e); }
 
 /// [+-]digits[.digits][(e|E)[+-]digits]
-std::optional<Rational> parse_decimal(std::string_view text) {
+std::optional<Rational> parse_decimal(std::string_view text, std::size_t most_digits) {
   std::size_t i = 0;
   bool negative = false;
   if (i < text.size() && (text[i] == '+' || text[i] == '-')) negative = text[i++] == '-';
@@ -44,7 +44,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
       if ((e = e * 10 + (text[i] - '0')) > 400) return std::nullopt;
     scale += minus ? -e : e;
   }
-  if (i != text.size() || digits.size() > 4000) return std::nullopt;
+  if (i != text.size() || digits.size() > most_digits) return std::nullopt;
 
   const std::size_t first = digits.find_first_not_of('0');  // a leading 0 would mean octal
   Integer n = first == std::string::npos ? Integer(0) : Integer(digits.substr(first));
@@ -97,13 +97,13 @@ double rounded(const Rational& v, int precision, int least_exponent) {
 
 }  // namespace
 
-std::optional<Rational> parse_rational(std::string_view text) {
+std::optional<Rational> parse_rational(std::string_view text, std::size_t most_digits) {
   const std::size_t slash = text.find('/');
-  if (slash == std::string_view::npos) return parse_decimal(text);
+  if (slash == std::string_view::npos) return parse_decimal(text, most_digits);
   const std::string_view above = text.substr(0, slash), below = text.substr(slash + 1);
   if (const auto n = parse_short(above), d = parse_short(below); n && d && *d != 0) return Rational(*n, *d);
 
-  const auto n = parse_decimal(above), d = parse_decimal(below);
+  const auto n = parse_decimal(above, most_digits), d = parse_decimal(below, most_digits);
   if (!n || !d || *d == 0) return std::nullopt;
   return Rational(*n / *d);
 }

@@ -45,8 +45,8 @@ std::optional<Int<Bits>> to_int(const Integer& v) {
 }
 
 /// A decimal ("-1.25e-3") or a quotient of decimals or integers ("1/3"), exactly; nothing on any other text, on a zero
-/// denominator, on an exponent beyond +-400, or on more than 4000 digits.
-std::optional<Rational> parse_rational(std::string_view text);
+/// denominator, on an exponent beyond +-400, or on a decimal of more digits than `most_digits`.
+std::optional<Rational> parse_rational(std::string_view text, std::size_t most_digits = 4000);
 /// Reduced "p/q", or "p" when q = 1.
 std::string to_string(const Rational& v);
 /// The double's exact value. Precondition: finite.

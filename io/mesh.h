@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "quoin/format.h"
+#include "quoin/limits.h"
 #include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
@@ -114,10 +115,14 @@ std::string write_mesh(std::span<const double> points, std::span<const std::uint
 /// Whether so many points and triangles fit the format: GLB and archives count bytes in 32 bits.
 bool fits(std::uint64_t points, std::uint64_t triangles, Format format);
 
-/// A whole file; "-" is standard input. Errors: "missing-file", "unreadable".
-Result<std::string> read_file(const std::string& path);
-/// Writes beside `path` and renames: the file appears whole or not at all; "-" is standard output.
-/// Symbolic links stay and what they name is replaced; devices and pipes are written to.
+/// A whole file; "-" is standard input. Errors: "missing-file", "unreadable", "too-large": a regular file by its size,
+/// before it is read.
+Result<std::string> read_file(const std::string& path, const Limits& limits = {});
+/// Writes beside `path`, synchronises and renames: the file appears whole or not at all; "-" is standard output.
+/// What was there keeps its owner, group and permissions. Symbolic links stay and what they name is replaced.
+/// A file with several hard links, of an owner whom nobody else can name, or in a folder that nobody may write to, is
+/// written in place, once there is room for it: only a failing device or the end of the process leave a part of it.
+/// What may not be written is not replaced. Devices and pipes are written to.
 /// Threads may call it at once.
 /// Errors: "unwritable"; "cancelled", which leaves nothing behind (`cancel`: nullptr, or the flag that asks for it).
 Result<void> write_file(const std::string& path, std::string_view bytes, const Cancel* cancel = nullptr);

@@ -151,7 +151,7 @@ Expression expression(const Gathered& g, const Grid& grid, const std::map<const 
 
 Result<Solid> evaluated(const Model& model, const ModelOptions& options, const Options& run, MotionReport* report) {
   if (!Access::node(model)) return Solid::empty(options.grid ? *options.grid : Grid());
-  auto parts = gathered(*Access::node(model), options.parameters, run);
+  auto parts = gathered(*Access::node(model), options.parameters, options.limits, run);
   if (!parts) return parts.error();
   const Gathered& g = parts.value();
 

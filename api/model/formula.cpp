@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "io/too_large.h"
+
 namespace quoin {
 
 using exact::Rational;
@@ -23,6 +25,10 @@ constexpr std::size_t longest = 1 << 16;    // bits of a value
 bool is_parameter_name(std::string_view name) {
   return !name.empty() && is_letter(name[0]) &&
          std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+Error too_many_digits(std::uint64_t digits, std::uint64_t limit) {
+  return io::too_large("the number of " + std::to_string(digits) + " digits has more", "digits", limit);
 }
 
 /// Reads one formula from left to right; the first error stays.
@@ -51,10 +57,13 @@ class FormulaReader {
     ++at_;
     return true;
   }
-  Rational fail(ErrorCode code, const std::string& what) {
-    if (!error_) error_ = Error{code, "\"" + std::string(text_.substr(0, 80)) + "\" " + what};
+  Rational fail(Error error) {
+    if (!error_) error_ = std::move(error);
     at_ = text_.size();
     return 0;
+  }
+  Rational fail(ErrorCode code, const std::string& what) {
+    return fail(Error{code, "\"" + std::string(text_.substr(0, 80)) + "\" " + what});
   }
 
   Rational checked(const Rational& v) {
@@ -116,10 +125,7 @@ class FormulaReader {
     if (at_ < text_.size() && is_letter(text_[at_])) {
       while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
       auto v = parameters_.parameter(std::string(text_.substr(begin, at_ - begin)));
-      if (v) return v.value();
-      if (!error_) error_ = v.error();
-      at_ = text_.size();
-      return 0;
+      return v ? v.value() : fail(v.error());
     }
 
     while (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) ++at_;
@@ -132,7 +138,10 @@ class FormulaReader {
       if (end > digits) at_ = end;
     }
 
-    const auto v = exact::parse_rational(text_.substr(begin, at_ - begin));
+    const std::string_view number = text_.substr(begin, at_ - begin);
+    const auto digits = static_cast<std::uint64_t>(std::count_if(number.begin(), number.end(), is_digit));
+    if (digits > parameters_.most_digits_) return fail(too_many_digits(digits, parameters_.most_digits_));
+    const auto v = exact::parse_rational(number, number.size());
     return v ? *v : fail(ErrorCode::bad_number, "is neither a number nor a formula");
   }
 

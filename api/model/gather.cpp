@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "api/model/primitive.h"
+#include "io/too_large.h"
 
 namespace quoin {
 
@@ -68,7 +69,7 @@ Result<const Shape*> shape_at(Gathered& g, const Place& place, const Options& ru
     return at->second.get();
   }
 
-  auto polyhedron = primitive_of(node, g.scopes.parameters(place.scope), run);
+  auto polyhedron = primitive_of(node, g.scopes.parameters(place.scope), g.limits, run);
   if (!polyhedron) return polyhedron.error();
   at->second = std::make_shared<const Shape>(std::move(polyhedron).value());
   return at->second.get();
@@ -86,6 +87,9 @@ Result<std::size_t> add_primitive(Gathered& g, const Place& place, const Options
     if (!shape) return shape.error();
     if (!shape.value()) return nowhere;
     placed.shape = shape.value();
+    g.faces += placed.shape->polyhedron.face_count();
+    if (g.faces > g.limits.model_faces)
+      return io::too_large("the primitives of the model have more faces", "model-faces", g.limits.model_faces);
   }
 
   placed.motion = &g.motions.realized(place.motion);
@@ -157,6 +161,8 @@ Result<std::size_t> walk(Gathered& g, const ModelNode& root, const Options& run)
       continue;
     }
 
+    if (known.size() == g.limits.nodes)
+      return at_node(io::too_large("the model has more nodes", "nodes", g.limits.nodes), *visit.place.node);
     const auto term = add_term(g, visit.place, std::move(visit.terms), run);
     if (!term) return term.error();
     last = known[visit.place] = term.value();
@@ -167,8 +173,9 @@ Result<std::size_t> walk(Gathered& g, const ModelNode& root, const Options& run)
 
 }  // namespace
 
-Result<Gathered> gathered(const ModelNode& root, const ScopeTable::Definitions& parameters, const Options& run) {
-  Gathered g(parameters);
+Result<Gathered> gathered(const ModelNode& root, const ScopeTable::Definitions& parameters, const Limits& limits,
+                          const Options& run) {
+  Gathered g(parameters, limits);
   const auto term = walk(g, root, run);
   if (!term) return term.error();
   g.root = term.value();

@@ -27,14 +27,17 @@ struct Term {
 
 /// Points into the model and into itself: it is moved, not copied.
 struct Gathered {
-  explicit Gathered(const ScopeTable::Definitions& parameters) : scopes(parameters) {}
+  Gathered(const ScopeTable::Definitions& parameters, const Limits& most)
+      : limits(most), scopes(parameters, most.digits) {}
   Gathered(Gathered&&) = default;
 
+  Limits limits;
   std::vector<Term> terms = {};
   std::size_t root = nowhere;
   std::vector<Placed> primitives = {};
   std::vector<const Access::ModelNode*> leaves = {};  // of the primitives
   std::vector<Solid> solids = {};                     // that the model holds
+  std::uint64_t faces = 0;                            // of the primitives
   std::string step = {};                              // of the grid; empty where no scope says one
 
   // What primitives point to.
@@ -44,9 +47,10 @@ struct Gathered {
 };
 
 /// Walks through a model, without recursion; `parameters` are those that the caller sets.
-/// Errors: those of numbers, primitives and motions; "bad-parameter" also for one that the model does not know. `where`
-/// names the node.
-Result<Gathered> gathered(const Access::ModelNode& root, const ScopeTable::Definitions& parameters, const Options& run);
+/// Errors: those of numbers, primitives and motions; "bad-parameter" also for one that the model does not know;
+/// "too-large". `where` names the node.
+Result<Gathered> gathered(const Access::ModelNode& root, const ScopeTable::Definitions& parameters,
+                          const Limits& limits, const Options& run);
 
 /// How messages call a node: its word, its name, its place.
 std::string name_of(const Access::ModelNode& node);

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "api/model/formula.h"
 #include "api/model/node.h"
 #include "io/json.h"
+#include "io/too_large.h"
 
 namespace quoin {
 
@@ -188,13 +191,14 @@ class ModelWriter {
 
 /// A document that is being read.
 struct Reading {
-  const std::string& folder;                // of the files that it names
+  const std::string& folder;  // of the files that it names
+  const ModelReadOptions& options;
   std::vector<MeshImport>* imports;         // nullptr, or where files that are read are added
   const Json* parts;                        // nullptr where it has none
   std::map<std::string, Model> known = {};  // parts that are read
   std::set<std::string> open = {};          // parts that are being read
-  int depth = 0;                            // of nodes within each other
-  static constexpr int deepest = 500;
+  std::uint64_t depth = 0;                  // of nodes within each other
+  static constexpr std::uint64_t deepest = Limits{}.depth;
 };
 
 Result<Model> read_node(const Json& json, Reading& reading);
@@ -339,15 +343,34 @@ void note_import(const std::string& path, const ImportReport& report, Reading& r
   if (std::none_of(imports.begin(), imports.end(), is_known)) imports.push_back({path, report});
 }
 
+/// Whether a name leads out of the folder: by its own words, or by links. What does not exist leads nowhere.
+bool leads_out(const std::string& folder, const std::string& name) {
+  namespace fs = std::filesystem;
+  const fs::path words = name;
+  if (words.is_absolute() || std::find(words.begin(), words.end(), "..") != words.end()) return true;
+
+  std::error_code missing;
+  const fs::path home = fs::canonical(folder, missing);
+  const fs::path file = missing ? fs::path() : fs::canonical(home / words, missing);
+  if (missing) return false;
+  return std::mismatch(home.begin(), home.end(), file.begin(), file.end()).first != home.end();
+}
+
 /// A solid from a file.
 Result<Model> read_mesh(const Json& json, const Json& body, Reading& reading) {
   const Json* file = body.member("file");
   if (!file || file->kind != Json::Kind::text) return bad(body, "a mesh has the member \"file\", a text");
   if (auto fault = unknown_member(body, {"file"})) return *fault;
 
-  const std::string path = file->text.starts_with('/') ? file->text : reading.folder + "/" + file->text;
+  const std::string& name = file->text;
+  if (name.find('\0') != std::string::npos) return bad(*file, "the name of a file holds a byte 0");
+  const std::string path = name.starts_with('/') ? name : reading.folder + "/" + name;
+  if (reading.options.files == ModelFiles::below && leads_out(reading.folder, name))
+    return bad(*file, "a model may name files of its folder and below only, not " + quoted(name) +
+                          ": --any-path, or ModelFiles::anywhere, allows others");
+
   ImportReport report;
-  auto solid = quoin::read_solid(path, {}, &report);
+  auto solid = quoin::read_solid(path, {.limits = reading.options.limits}, &report);
   if (!solid) return solid.error();
   note_import(path, report, reading);
 
@@ -418,7 +441,8 @@ Result<Model> read_known_node(const Json& json, const std::string& word, const J
 Result<Model> read_node(const Json& json, Reading& reading) {
   if (json.kind != Json::Kind::object)
     return bad(json, "a node is an object such as {\"block\": {\"size\": [1, 2, 3]}}");
-  if (reading.depth == Reading::deepest) return bad(json, "parts are nested too deeply");
+  if (const auto most = std::min(reading.options.limits.depth, Reading::deepest); reading.depth == most)
+    return io::too_large("nodes are nested more deeply", "depth", most, json.place());
   const Json* name = json.member("name");
   if (name && name->kind != Json::Kind::text) return bad(*name, "a name is a text");
   if (json.members.size() != (name ? 2U : 1U))
@@ -465,13 +489,34 @@ Result<Model> read_document(const Json& document, Reading& reading) {
 
 }  // namespace
 
+namespace {
+
+/// The first run of digits that is longer than the limit, as an error.
+std::optional<Error> long_number(std::string_view text, std::uint64_t most_digits) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = std::find_if(at, text.end(), is_digit);
+    at = std::find_if_not(begin, text.end(), is_digit);
+    const auto digits = static_cast<std::uint64_t>(at - begin);
+    if (digits <= most_digits) continue;
+    Error error = too_many_digits(digits, most_digits);
+    error.where = "line " + std::to_string(1 + std::count(text.begin(), begin, '\n'));
+    return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::string Model::to_json() const { return ModelWriter().run(*this); }
 
-Result<Model> Model::from_json(std::string_view text, const std::string& folder, std::vector<MeshImport>* imports) {
+Result<Model> Model::from_json(std::string_view text, const std::string& folder, std::vector<MeshImport>* imports,
+                               const ModelReadOptions& options) {
   if (imports) imports->clear();
+  if (auto fault = long_number(text, options.limits.digits)) return *fault;
   const auto document = io::read_json(text);
   if (!document) return document.error();
-  Reading reading{folder, imports, document.value().member("parts")};
+  Reading reading{folder, options, imports, document.value().member("parts")};
   return read_document(document.value(), reading);
 }
 

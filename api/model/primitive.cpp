@@ -5,6 +5,7 @@
 
 #include "api/motion.h"
 #include "booleans/body/canonical.h"
+#include "io/too_large.h"
 #include "rounding/planes/plane_rounding.h"
 #include "rounding/shapes/hull.h"
 #include "rounding/shapes/primitives.h"
@@ -42,8 +43,9 @@ class Numbers {
   }
   std::uint32_t count(std::size_t field) {
     const Rational v = scalar(field);
-    if (denominator(v) == 1 && v >= 0 && v <= std::numeric_limits<std::uint32_t>::max())
-      return static_cast<std::uint32_t>(numerator(v));
+    constexpr auto most = std::numeric_limits<std::uint32_t>::max();
+    // What is larger is too large as well.
+    if (denominator(v) == 1 && v >= 0) return v < most ? static_cast<std::uint32_t>(numerator(v)) : most;
     fail({ErrorCode::bad_number, "\"" + node_.values[field].text + "\" is no count, that is a whole number"});
     return 3;
   }
@@ -150,13 +152,19 @@ Result<Polyhedron> intersection(const std::vector<WidePlane>& planes, const Opti
   return rounding::convex_polyhedron(planes, inside);
 }
 
-Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Options& run) {
+Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Limits& limits, const Options& run) {
   using enum ModelKind;
+  const auto excess = [&](std::uint64_t faces) -> std::optional<Error> {
+    if (faces <= limits.sides) return std::nullopt;
+    return io::too_large("the primitive has more faces", "sides", limits.sides);
+  };
   // Fields are read in their order, so that of two errors the first is told: compilers need not keep that of arguments.
-  const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) {
+  const auto cylinder_of = [&](const Rational& bottom, const Rational& top, std::size_t height) -> Result<Polyhedron> {
     const Rational h = n.scalar(height);
     const std::uint32_t sides = n.count(height + 1);
-    return rounding::frustum(sides, bottom, top, h, n.fit(height + 2));
+    const rounding::Fit fit = n.fit(height + 2);
+    if (auto fault = excess(sides)) return *fault;
+    return rounding::frustum(sides, bottom, top, h, fit);
   };
 
   switch (node.kind) {
@@ -168,8 +176,9 @@ Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Options& r
     }
     case prism: {
       const std::uint32_t sides = n.count(0);
-      const Rational radius = n.scalar(1);
-      return rounding::frustum(sides, radius, radius, n.scalar(2), rounding::Fit::inscribed);
+      const Rational radius = n.scalar(1), height = n.scalar(2);
+      if (auto fault = excess(sides)) return *fault;
+      return rounding::frustum(sides, radius, radius, height, rounding::Fit::inscribed);
     }
     case ModelKind::cylinder: {
       const Rational radius = n.scalar(0);
@@ -183,17 +192,22 @@ Result<Polyhedron> primitive(const ModelNode& node, Numbers& n, const Options& r
     }
     case sphere: {
       const Rational radius = n.scalar(0);
-      return rounding::sphere(radius, n.count(1));
+      const std::uint32_t sides = n.count(1);
+      if (auto fault = excess(std::uint64_t{sides} * (sides / 2))) return *fault;
+      return rounding::sphere(radius, sides);
     }
     case tangent_sphere: {
       const Rational radius = n.scalar(0);
-      const auto planes = rounding::tangent_sphere(radius, n.count(1));
+      const std::uint32_t count = n.count(1);
+      if (auto fault = excess(count)) return *fault;
+      const auto planes = rounding::tangent_sphere(radius, count);
       return planes ? rounding::convex_polyhedron(planes.value(), {0, 0, 0}) : planes.error();
     }
     case torus: {
       const Rational major = n.scalar(0), minor = n.scalar(1);
-      const std::uint32_t sides = n.count(2);
-      return rounding::torus(major, minor, sides, n.count(3));
+      const std::uint32_t sides = n.count(2), minor_sides = n.count(3);
+      if (auto fault = excess(std::uint64_t{sides} * minor_sides)) return *fault;
+      return rounding::torus(major, minor, sides, minor_sides);
     }
     case convex: {
       std::vector<WidePlane> planes;
@@ -248,8 +262,9 @@ auto made(const ModelNode& node, Parameters& parameters, Make&& make) -> decltyp
 
 bool is_motion(ModelKind kind) { return kind >= ModelKind::rotate && kind <= ModelKind::scale; }
 
-Result<Polyhedron> primitive_of(const ModelNode& node, Parameters& parameters, const Options& run) {
-  return made(node, parameters, [&](Numbers& n) { return primitive(node, n, run); });
+Result<Polyhedron> primitive_of(const ModelNode& node, Parameters& parameters, const Limits& limits,
+                                const Options& run) {
+  return made(node, parameters, [&](Numbers& n) { return primitive(node, n, limits, run); });
 }
 
 Result<WidePlane> half_space_of(const ModelNode& node, Parameters& parameters) {

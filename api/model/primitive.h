@@ -12,8 +12,9 @@ bool is_motion(ModelKind kind);
 
 /// Errors of all: "bad-number", "bad-parameter".
 /// Precondition: a primitive that is no half-space and no solid.
-/// Errors: "bad-primitive", "bad-plane", "unbounded", "cancelled".
-Result<rounding::Polyhedron> primitive_of(const Access::ModelNode& node, Parameters& parameters, const Options& run);
+/// Errors: "bad-primitive", "bad-plane", "unbounded", "too-large", "cancelled".
+Result<rounding::Polyhedron> primitive_of(const Access::ModelNode& node, Parameters& parameters, const Limits& limits,
+                                          const Options& run);
 /// Precondition: a half-space. Errors: "bad-plane".
 Result<rounding::WidePlane> half_space_of(const Access::ModelNode& node, Parameters& parameters);
 /// Precondition: is_motion(node.kind). Errors: "bad-axis", "bad-factor", "not-a-rotation".

@@ -13,7 +13,7 @@ ScopeTable::Id ScopeTable::within(const Access::ModelNode& node, Id outer) {
     defined_.insert(name);
     if (!set_.count(name)) definitions[name] = definition;
   }
-  scopes_.push_back({Parameters(definitions), definitions});
+  scopes_.push_back({Parameters(definitions, most_digits_), definitions});
   return at->second;
 }
 

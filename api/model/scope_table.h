@@ -21,7 +21,10 @@ class ScopeTable {
   using Id = std::size_t;
   using Definitions = std::map<std::string, std::string>;
 
-  explicit ScopeTable(const Definitions& set) : set_(set) { scopes_.push_back({Parameters(set), set}); }
+  /// `set`: what the caller sets.
+  ScopeTable(const Definitions& set, std::uint64_t most_digits) : set_(set), most_digits_(most_digits) {
+    scopes_.push_back({Parameters(set, most_digits), set});
+  }
 
   /// The scope that a node of parameters opens within another. Precondition: the node is a scope.
   Id within(const Access::ModelNode& node, Id outer);
@@ -37,6 +40,7 @@ class ScopeTable {
   };
 
   Definitions set_;
+  std::uint64_t most_digits_;
   std::deque<Scope> scopes_;
   std::set<std::string> defined_;  // by nodes
   std::map<std::pair<const Access::ModelNode*, Id>, Id> ids_;

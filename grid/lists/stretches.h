@@ -25,6 +25,9 @@ inline std::size_t long_stretch(std::size_t count, std::size_t least) {
   return stretch(std::max(least, count / most_stretches + 1));
 }
 
+/// Whether the system starts as many threads as TBB may ask for; asked once. TBB throws where it cannot start one.
+bool threads_can_start();
+
 /// While one lives, work of its thread is not handed to others.
 class Serially {
  public:
@@ -42,6 +45,9 @@ class Serially {
   const bool before_;
 };
 
+/// Whether the caller does all of the work.
+inline bool is_serial() { return Serially::here() || !threads_can_start(); }
+
 /// visit(stretch, begin, end) for 0 .. count - 1 in stretches of a fixed length, side by side: the stretches, and with
 /// them what is kept by stretch, are the same for any number of threads. A thread that waits for others does nothing
 /// else meanwhile, so what a visit keeps by thread stays its own while it waits for inner stretches.
@@ -51,7 +57,7 @@ void in_stretches(std::size_t count, std::size_t length, Visit&& visit) {
   const std::size_t stretches = (count + length - 1) / length;
   if (stretches == 1) return visit(std::size_t{0}, std::size_t{0}, count);
   const auto one = [&](std::size_t s) { visit(s, s * length, std::min(count, (s + 1) * length)); };
-  if (Serially::here())
+  if (is_serial())
     for (std::size_t s = 0; s < stretches; ++s) one(s);
   else
     tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, stretches, one); });
@@ -69,7 +75,7 @@ void in_tasks(std::size_t count, std::size_t work, Visit&& visit) {
 /// at the same data, of which each takes its own; the result must not depend on how many there are.
 template <class Visit>
 void in_shares(std::size_t count, Visit&& visit) {
-  const bool is_shared = count >= thresholds().small_work && !Serially::here();
+  const bool is_shared = count >= thresholds().small_work && !is_serial();
   const auto threads = is_shared ? static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) : 1;
   const std::size_t shares = std::min<std::size_t>(threads, 8);
   in_stretches(count, count / shares + 1, [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
@@ -78,7 +84,7 @@ void in_shares(std::size_t count, Visit&& visit) {
 /// Sorts items of which no two are equal.
 template <class Iterator, class Less = std::less<>>
 void sort_side_by_side(Iterator begin, Iterator end, Less less = {}) {
-  if (Serially::here())
+  if (is_serial())
     std::sort(begin, end, less);
   else
     tbb::parallel_sort(begin, end, less);

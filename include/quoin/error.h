@@ -52,6 +52,7 @@ enum class ErrorCode : std::uint8_t {
   usage,
   out_of_memory,
   internal_defect,
+  too_large,
 };
 
 /// The code in kebab-case, as files, JSON and the command line show it: "open-boundary".
@@ -81,6 +82,8 @@ inline std::string to_string(ErrorCode code) {
       return "bad-quoin";
     case ErrorCode::unwritable:
       return "unwritable";
+    case ErrorCode::too_large:
+      return "too-large";
     case ErrorCode::open_boundary:
       return "open-boundary";
     case ErrorCode::inside_out:

@@ -13,6 +13,7 @@
 #include "quoin/format.h"
 #include "quoin/grid.h"
 #include "quoin/import.h"
+#include "quoin/limits.h"
 #include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
@@ -63,12 +64,15 @@ struct Source {
 /// turned round. Numbers keep their unit, unless `unit` asks for another: then they are converted in the same rounding,
 /// and those of a file that states none are taken to be in `unit`.
 /// Errors: "missing-file", "unreadable", "unknown-format", "truncated", "bad-syntax", "bad-number", "non-finite",
-/// "bad-index" (an object that is not there, too), "absurd-count", "no-faces", "bad-quoin"; `file` is the path.
+/// "bad-index" (an object that is not there, too), "absurd-count", "no-faces", "bad-quoin",
+/// "too-large" (the file; its mesh is measured by `build`); `file` is the path.
 QUOIN_API Result<Source> read_source(const std::string& path, std::optional<Format> format = {},
-                                     Trust trust = Trust::nothing, std::optional<Unit> unit = {});
+                                     Trust trust = Trust::nothing, std::optional<Unit> unit = {},
+                                     const Limits& limits = {});
 /// The same, each object by itself, those without faces left out. There is one at least.
 QUOIN_API Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format = {},
-                                                   Trust trust = Trust::nothing, std::optional<Unit> unit = {});
+                                                   Trust trust = Trust::nothing, std::optional<Unit> unit = {},
+                                                   const Limits& limits = {});
 
 /// The path without the object that stands behind "#": "part.3mf" of "part.3mf#2". Only behind an extension of a
 /// format, or "-", does "#" name an object, and only where no such extension follows it.

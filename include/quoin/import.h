@@ -11,6 +11,7 @@
 
 #include "quoin/arrays.h"
 #include "quoin/grid.h"
+#include "quoin/limits.h"
 #include "quoin/notice.h"
 #include "quoin/options.h"
 #include "quoin/repair.h"
@@ -33,6 +34,7 @@ struct ImportOptions {
   Options run = {};
   /// Cures of an open surface and of shells that are inside out; none by default.
   Repair repair = {};
+  Limits limits = {};
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.

@@ -18,6 +18,7 @@
 
 #include "quoin/grid.h"
 #include "quoin/import.h"
+#include "quoin/limits.h"
 #include "quoin/motion.h"
 #include "quoin/options.h"
 #include "quoin/result.h"
@@ -43,6 +44,19 @@ struct ModelOptions {
   std::map<std::string, std::string> parameters = {};
   Rounding rounding = Rounding::best;
   Options run = {};
+  Limits limits = {};
+};
+
+/// Which files a model's text may name.
+enum class ModelFiles {
+  /// Those in its folder and below, wherever links lead: a model of a stranger opens nothing else.
+  below,
+  anywhere,
+};
+
+struct ModelReadOptions {
+  ModelFiles files = ModelFiles::below;
+  Limits limits = {};
 };
 
 /// A construction history: an immutable graph of primitives, motions and Booleans whose subtrees may be shared.
@@ -117,12 +131,14 @@ class QUOIN_API Model {
   /// The model as JSON text (docs/model-format.md), without loss: shared subtrees stay shared.
   std::string to_json() const;
   /// Meshes that the text names are read relative to `folder`; `imports`, when given, receives each of their files
-  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), and those of `read`.
+  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), "too-large", and those of
+  /// `read`.
   static Result<Model> from_json(std::string_view text, const std::string& folder = ".",
-                                 std::vector<MeshImport>* imports = nullptr);
+                                 std::vector<MeshImport>* imports = nullptr, const ModelReadOptions& options = {});
   /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,
   /// naming the file.
-  static Result<Model> read(const std::string& path, std::vector<MeshImport>* imports = nullptr);
+  static Result<Model> read(const std::string& path, std::vector<MeshImport>* imports = nullptr,
+                            const ModelReadOptions& options = {});
 
  private:
   friend struct Access;
@@ -132,8 +148,8 @@ class QUOIN_API Model {
 };
 
 /// Every primitive is moved by all motions above it at once, exactly, and rounded once; then one Boolean of all.
-/// Errors: "bad-number", "bad-parameter", "bad-primitive", "bad-axis", "bad-factor", "not-a-rotation", "unbounded";
-/// those of `moved` and `evaluate`. `where` names the node.
+/// Errors: "bad-number", "bad-parameter", "bad-primitive", "bad-axis", "bad-factor", "not-a-rotation", "unbounded",
+/// "too-large"; those of `moved` and `evaluate`. `where` names the node.
 QUOIN_API Result<Solid> evaluate(const Model& model, const ModelOptions& options = {}, MotionReport* report = nullptr);
 
 }  // namespace quoin

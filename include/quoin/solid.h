@@ -78,7 +78,8 @@ class QUOIN_API Solid {
   /// counter-clockwise from outside.
   /// The surface must be closed (every directed edge balanced by its reverse) and not inside out; it may overlap and
   /// touch itself. No triangles, whatever the points, are the empty solid; triangles of which none has an area are
-  /// "no-faces". Errors: that, "open-boundary", "inside-out", "non-finite", "out-of-range", "bad-index", "cancelled".
+  /// "no-faces". Errors: that, "open-boundary", "inside-out", "non-finite", "out-of-range", "bad-index", "too-large",
+  /// "cancelled".
   static Result<Solid> from_triangles(Coordinates points, Indices triangles, const ImportOptions& options = {},
                                       ImportReport* report = nullptr);
   static Result<Solid> from_triangles(Coordinates points, Indices triangles, const Grid& grid);

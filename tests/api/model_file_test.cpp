@@ -372,7 +372,10 @@ TEST(ModelFile, MeshesOfAFolder) {
       folder.string());
   EXPECT_EQ(volume(evaluated(both)), volume(box({0, 0, 0}, {1, 1, 4}) + tetrahedron));
   const std::string absolute = document("{\"mesh\": {\"file\": \"" + (folder / "b.stl").string() + "\"}}");
-  EXPECT_EQ(volume(evaluated(read_model(absolute, "/nowhere"))), "4");
+  EXPECT_EQ(Model::from_json(absolute, "/nowhere").error().code, ErrorCode::bad_model);
+  const auto anywhere = Model::from_json(absolute, "/nowhere", nullptr, {.files = ModelFiles::anywhere});
+  ASSERT_TRUE(anywhere);
+  EXPECT_EQ(volume(evaluated(anywhere.value())), "4");
 
   const auto missing = Model::from_json(document(R"({"mesh": {"file": "no.stl"}})"), folder.string());
   ASSERT_FALSE(missing);

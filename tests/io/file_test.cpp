@@ -91,6 +91,90 @@ TEST_F(File, LinksStayLinks) {
   EXPECT_EQ(read_file(path("target")).value(), "new");
 }
 
+// A link to what does not exist yet, through another link.
+TEST_F(File, LinksToNothingAreFollowed) {
+  fs::create_directory(directory_ / "below");
+  fs::create_symlink("below/second", path("first"));
+  fs::create_symlink("target", directory_ / "below" / "second");
+  ASSERT_EQ(write_code(path("first"), "new"), "");
+  EXPECT_TRUE(fs::is_symlink(path("first")));
+  EXPECT_TRUE(fs::is_symlink(directory_ / "below" / "second"));
+  EXPECT_EQ(read_file((directory_ / "below" / "target").string()).value(), "new");
+}
+
+TEST_F(File, HardLinksStayOneFile) {
+  ASSERT_EQ(write_code(path("a"), "a long old text"), "");
+  fs::create_hard_link(path("a"), path("b"));
+  ASSERT_EQ(write_code(path("a"), "new"), "");
+  EXPECT_TRUE(fs::equivalent(path("a"), path("b")));
+  EXPECT_EQ(read_file(path("b")).value(), "new");
+  ASSERT_EQ(write_code(path("b"), std::string(100000, 'x')), "");
+  EXPECT_EQ(read_file(path("a")).value(), std::string(100000, 'x'));
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(File, PermissionsAndOwnerStay) {
+  ASSERT_EQ(write_code(path("a"), "old"), "");
+  const bool may_give_away = ::chown(path("a").c_str(), 12345, 54321) == 0;
+  ASSERT_EQ(::chmod(path("a").c_str(), 04751), 0);
+  ASSERT_EQ(write_code(path("a"), "new"), "");
+  struct stat status;
+  ASSERT_EQ(::stat(path("a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777U, 04751U);
+  if (may_give_away) {
+    EXPECT_EQ(status.st_uid, 12345U);
+    EXPECT_EQ(status.st_gid, 54321U);
+  }
+  EXPECT_EQ(read_file(path("a")).value(), "new");
+  EXPECT_EQ(entries(), 1U);
+}
+
+/// As somebody else: 0 unless the process may not become that.
+int as_nobody(const std::string& path) {
+  if (::geteuid() == 0 && ::setuid(65534) != 0) return 0;
+  return write_code(path, "new") == "" ? 7 : 8;
+}
+
+// The folder belongs to others, the file may be written by all; and a file that nobody may write to.
+TEST_F(File, PermissionsOfTheFileCount) {
+  ASSERT_EQ(write_code(path("open"), "old"), "");
+  ASSERT_EQ(write_code(path("closed"), "old"), "");
+  ASSERT_EQ(::chmod(path("open").c_str(), 0666), 0);
+  ASSERT_EQ(::chmod(path("closed").c_str(), 0444), 0);
+  ASSERT_EQ(::chmod(directory_.c_str(), 0555), 0);
+  EXPECT_EXIT(::_exit(as_nobody(path("open"))), ::testing::ExitedWithCode(7), "");
+  ASSERT_EQ(::chmod(directory_.c_str(), 0777), 0);
+  EXPECT_EXIT(::_exit(as_nobody(path("closed"))), ::testing::ExitedWithCode(8), "");
+  EXPECT_EQ(read_file(path("open")).value(), "new");
+  EXPECT_EQ(read_file(path("closed")).value(), "old");
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(File, NoByteZeroEndsAName) {
+  ASSERT_EQ(write_code(path("a"), "old"), "");
+  const std::string longer = path("a") + std::string("\0.off", 5);
+  EXPECT_EQ(read_code(longer), "missing-file");
+  EXPECT_EQ(write_code(longer, "new"), "unwritable");
+  EXPECT_EQ(read_file(path("a")).value(), "old");
+}
+
+TEST_F(File, BytesAreLimited) {
+  ASSERT_EQ(write_code(path("a"), "1234"), "");
+  Limits limits;
+  limits.bytes = 4;
+  EXPECT_EQ(read_file(path("a"), limits).value(), "1234");
+  limits.bytes = 3;
+  const Result<std::string> read = read_file(path("a"), limits);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::too_large);
+  EXPECT_EQ(read.error().message, "the file has more bytes than the limit \"bytes\" allows: 3");
+  EXPECT_EQ(read.error().file, path("a"));
+  limits.stream_bytes = 1000000;
+  const Result<std::string> zeros = read_file("/dev/zero", limits);
+  ASSERT_FALSE(zeros);
+  EXPECT_EQ(zeros.error().message, "the file has more bytes than the limit \"stream-bytes\" allows: 1000000");
+}
+
 TEST_F(File, PipesAreWrittenThrough) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
@@ -184,6 +268,14 @@ TEST_F(File, AWriteThatWaitsIsCancelledByASignal) {
   const rlimit limit = {4096, 4096};
   (void)::setrlimit(RLIMIT_FSIZE, &limit);
   ::_exit(write_code(path, std::string(100000, 'x')) == "unwritable" ? 7 : 8);
+}
+
+TEST_F(File, AFullDiskLeavesTheOldFileOfTwoNames) {
+  ASSERT_EQ(write_code(path("a"), "old"), "");
+  fs::create_hard_link(path("a"), path("b"));
+  EXPECT_EXIT(write_on_a_full_disk(path("a")), ::testing::ExitedWithCode(7), "");
+  EXPECT_EQ(entries(), 2U);
+  EXPECT_EQ(read_file(path("b")).value(), "old");
 }
 
 TEST_F(File, AFullDiskLeavesTheOldFile) {

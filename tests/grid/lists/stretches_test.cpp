@@ -4,8 +4,12 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -23,6 +27,27 @@ TEST(Stretches, CoverEachPlaceOnce) {
     });
     for (const auto& n : seen) EXPECT_EQ(n, 1);
   }
+}
+
+/// The caller's own count, in a process that has no room for the stack of another thread.
+[[noreturn]] void count_without_threads() {
+  std::ifstream pages("/proc/self/statm");
+  rlim_t size = 0;
+  pages >> size;
+  const rlim_t most = size * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + (rlim_t{2} << 20);
+  const rlimit limit = {most, most};
+  if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(1);
+
+  std::size_t seen = 0;
+  in_stretches(100, 1, [&](std::size_t s, std::size_t, std::size_t) { seen += s; });
+  std::vector<int> list = {3, 1, 2};
+  sort_side_by_side(list.begin(), list.end());
+  ::_exit(threads_can_start() || seen != 4950 || list != std::vector<int>{1, 2, 3} ? 2 : 7);
+}
+
+TEST(Stretches, AreDoneByTheCallerWhereNoThreadStarts) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(count_without_threads(), testing::ExitedWithCode(7), "");
 }
 
 // Asked for one thread, all is done by the caller, in order.

@@ -1,0 +1,91 @@
+// Every call for memory may fail, and every thread: the program ends with a sentence, or succeeds.
+#include "tests/cli/support.h"
+
+namespace quoin::cli_test {
+namespace {
+
+#ifdef QUOIN_FAULTS
+
+class Faults : public CliTest {
+ protected:
+  void TearDown() override {
+    for (const char* name :
+         {"LD_PRELOAD", "QUOIN_FAULT_MEMORY", "QUOIN_FAULT_REST", "QUOIN_FAULT_THREADS", "QUOIN_FAULT_CALLED"})
+      ::unsetenv(name);
+    CliTest::TearDown();
+  }
+
+  /// The outcome with the settings of tests/faults/shim.cpp.
+  Outcome run_with(const std::vector<std::pair<std::string, std::string>>& faults, const Words& words) {
+    for (const auto& [name, value] : faults) ::setenv(("QUOIN_FAULT_" + name).c_str(), value.c_str(), 1);
+    ::setenv("LD_PRELOAD", QUOIN_FAULTS, 1);
+    const Outcome r = run(words);
+    ::unsetenv("LD_PRELOAD");
+    return r;
+  }
+
+  /// Every `step`-th call fails, alone or with all behind it, until there is no such call.
+  void expect_a_clean_end(const Words& words, const std::string& output, bool rest, std::size_t step) {
+    const auto before = names();
+    const std::filesystem::path called = folder().parent_path() / "called";
+    std::size_t failures = 0;
+    for (std::size_t n = 1;; n += step) {
+      std::filesystem::remove(folder() / output);
+      // Inherited by the program.
+      const int told = ::open(called.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      const std::string count = std::to_string(n);
+      const Outcome r =
+          run_with({{"MEMORY", count}, {"REST", rest ? "1" : "0"}, {"CALLED", std::to_string(told)}}, words);
+      ::close(told);
+
+      SCOPED_TRACE(words[0] + ", call " + count + ": " + r.err);
+      ASSERT_TRUE(r.code == 0 || r.code == 1) << r.code;
+      const bool is_written = r.code == 0 || r.err.starts_with("quoin: the output is written, but: ");
+      auto expected = before;
+      if (is_written && !output.empty()) expected.insert(output);
+      ASSERT_EQ(names(), expected);
+      if (r.code == 1) {
+        ASSERT_TRUE(r.err.ends_with(" [out-of-memory]\n"));
+        if (!is_written) ASSERT_EQ(r.json()["error"]["code"], "out-of-memory");
+        ++failures;
+      }
+      if (std::filesystem::file_size(called) == 0) break;
+    }
+    EXPECT_GT(failures, 300 / step) << words[0];
+  }
+};
+
+TEST_F(Faults, EveryCallForMemoryMayFail) {
+  put("cut.json", R"({"quoin-model": 1, "model": {"difference": [{"block": {"size": [3, 3, 3]}},
+    {"rotate": {"axis": "z", "angle": 30, "of": {"cylinder": {"radius": 1, "height": 2, "sides": 5}}}}]}})");
+  ASSERT_EQ(run({"convert", "a.off", "-o", "a.quoin"}).code, 0);
+  expect_a_clean_end({"union", "a.off", "b.off", "-o", "out.off", "--json"}, "out.off", false, 1);
+  expect_a_clean_end({"eval", "cut.json", "-o", "out.stl", "--json"}, "out.stl", false, 2);
+  expect_a_clean_end({"difference", "a.quoin", "b.off", "-o", "out.quoin", "--json"}, "out.quoin", false, 3);
+  expect_a_clean_end({"move", "a.off", "--rotate", "x", "30", "-o", "out.ply", "--json"}, "out.ply", false, 3);
+  expect_a_clean_end({"complement", "a.off", "-o", "out.quoin", "--json"}, "out.quoin", false, 7);
+  expect_a_clean_end({"info", "a.quoin", "--json"}, "", false, 3);
+  expect_a_clean_end({"check", "b.off", "--json"}, "", false, 7);
+  expect_a_clean_end({"union", "a.off", "b.off", "-o", "out.off", "--json"}, "out.off", true, 11);
+  expect_a_clean_end({"eval", "cut.json", "-o", "out.stl", "--json"}, "out.stl", true, 13);
+}
+
+TEST_F(Faults, WhereNoThreadStartsTheCallerDoesAll) {
+  put("ball.json", R"({"quoin-model": 1, "model": {"sphere": {"radius": "0.7", "sides": 96}}})");
+  ASSERT_EQ(run({"eval", "ball.json", "-o", "ball.off"}).code, 0);
+  ASSERT_EQ(run({"union", "a.off", "ball.off", "-o", "plain.quoin"}).code, 0);
+  for (const char* threads : {"0", "1", "1000000"}) {
+    const Outcome r = run_with({{"THREADS", threads}}, {"union", "a.off", "ball.off", "-o", "out.quoin"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(get("out.quoin"), get("plain.quoin"));
+  }
+}
+
+#else
+
+TEST(Faults, NeedAPreloadedLibrary) { GTEST_SKIP() << "the program has sanitizers, or the system no preloading"; }
+
+#endif
+
+}  // namespace
+}  // namespace quoin::cli_test
