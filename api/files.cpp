@@ -197,7 +197,6 @@ Result<void> write_bytes(const std::string& path, std::string_view bytes, const 
   return {};
 }
 
-
 Result<void> Solid::write(const std::string& path, const ExportOptions& options) const {
   const auto format = format_of(path);
   if (!format) return format.error();

@@ -39,7 +39,8 @@ bool add(std::string_view word, Repair& repair) {
 Result<std::optional<exact::Rational>> tolerance(const std::string& text, const char* name) {
   if (text.empty()) return std::optional<exact::Rational>();
   auto number = exact::parse_rational(text);
-  if (!number) return Error{ErrorCode::bad_number, "\"" + text + "\" is neither a decimal nor a rational p/q", {}, name};
+  if (!number)
+    return Error{ErrorCode::bad_number, "\"" + text + "\" is neither a decimal nor a rational p/q", {}, name};
   if (*number < 0) return Error{ErrorCode::bad_number, "a tolerance is not negative, as " + text + " is", {}, name};
   return number;
 }

@@ -109,7 +109,8 @@ void warn_of_nothing_left(const std::string& file, const ImportReport& report) {
 void say_notices(const std::string& file, const ImportReport& report) {
   for (std::size_t i = 0; i + (report.dropped_shells > 0 ? 1 : 0) < report.notices.size(); ++i)
     print_notice(report.notices[i].sentence, file);
-  for (const Finding& repair : report.repairs) print_notice("repaired: " + repair.sentence + " (" + repair.where + ")", file);
+  for (const Finding& repair : report.repairs)
+    print_notice("repaired: " + repair.sentence + " (" + repair.where + ")", file);
 }
 
 /// Says what import could not keep.
@@ -398,8 +399,8 @@ Result<void> run_check(Session& session) {
   object["bounded"] = operands.value().solids[0].is_bounded();
   object.update(import_json(a.inputs[0], report));
   object["step"] = operands.value().solids[0].grid().step();
-  return say(a, std::move(object), a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report) +
-                                                        findings_text(report.findings));
+  return say(a, std::move(object),
+             a.quiet ? "" : a.inputs[0] + ": valid, closed\n" + import_text(report) + findings_text(report.findings));
 }
 
 /// Every command that writes.

@@ -252,7 +252,8 @@ std::string info_text(const Solid& solid, const Info& info) {
 
   rows.push_back({"volume", info.bounded ? decimal(info.volume_approx) : "infinite"});
   const bool is_known = !info.volume.empty();
-  if (info.bounded) rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
+  if (info.bounded)
+    rows.push_back({"volume, exact", is_known ? shortened(info.volume) : "long, all digits with --json"});
   rows.push_back({"area, about", decimal(info.area_approx)});
   rows.push_back({"box, low", info.box ? corner((*info.box)[0]) : "none"});
   rows.push_back({"box, high", info.box ? corner((*info.box)[1]) : "none"});
@@ -325,7 +326,9 @@ void keep_findings(const std::vector<Finding>& findings) { kept_findings() = fin
 
 const std::vector<Finding>& refused_findings() { return kept_findings(); }
 
-void print_notice(const std::string& sentence, const std::string& file) { print_line("quoin: " + file + ": " + sentence); }
+void print_notice(const std::string& sentence, const std::string& file) {
+  print_line("quoin: " + file + ": " + sentence);
+}
 
 void print_warning(const std::string& sentence, const std::string& file, const std::string& where) {
   print_line("quoin: warning: " + sentence + place(file, where));
