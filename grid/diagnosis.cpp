@@ -28,8 +28,8 @@ std::string sentence_of(const Finding& f, const Damage& damage) {
   const std::string size = shortest(f.size);
   switch (f.kind) {
     case Defect::crack:
-      return "a crack up to " + size + " wide: " +
-             counted(f.count, "boundary vertex lies", "boundary vertices lie") + " that near another";
+      return "a crack up to " + size + " wide: " + counted(f.count, "boundary vertex lies", "boundary vertices lie") +
+             " that near another";
     case Defect::t_junction:
       return "T-junctions: " + counted(f.count, "vertex lies", "vertices lie") + " beside a neighbour's edge, up to " +
              size + " away";

@@ -221,7 +221,8 @@ std::string first_open_face(const Faces& f, const Array<std::uint32_t>& ids, con
 
 /// "the surface is not closed: ...: what is wrong first (what would cure it)".
 Error open_boundary(std::uint64_t edges, std::string where, const std::vector<Finding>& findings) {
-  std::string message = "the surface is not closed: " + std::to_string(edges) + (edges == 1 ? " edge is" : " edges are") +
+  std::string message = "the surface is not closed: " + std::to_string(edges) +
+                        (edges == 1 ? " edge is" : " edges are") +
                         " not balanced by the reverse edge of a neighbouring face";
   if (!findings.empty()) {
     message += ": " + findings[0].sentence;
@@ -241,9 +242,8 @@ std::uint64_t edge_count(const Array<OpenEdge>& open) {
 /// the mesh is not closed then.
 bool seal_exactly(ImportedMesh& mesh) {
   Array<Triangle> triangles = mesh.triangles;
-  std::erase_if(triangles, [&](const Triangle& t) {
-    return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  });
+  std::erase_if(triangles,
+                [&](const Triangle& t) { return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]); });
   // Closed by this alone it is not: triangles without area count in the proof.
   if (is_balanced(corners_of(triangles), mesh.points.size())) return false;
   const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, Pairing::opposite);
@@ -347,8 +347,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
 }  // namespace
 
 Result<ImportedMesh> import_polygons(std::span<const double> points, std::span<const std::uint32_t> starts,
-                                     std::span<const std::uint32_t> corners, const Lattice& lattice,
-                                     Curing* curing) {
+                                     std::span<const std::uint32_t> corners, const Lattice& lattice, Curing* curing) {
   return import({points, starts, corners, false}, lattice, Facing::out, curing);
 }
 

@@ -1,6 +1,6 @@
 /// \file
-/// Import, step 4: triangles of zero area go, and their corners become points on their neighbours' edges; so do vertices
-/// that lie exactly on the open edges of others.
+/// Import, step 4: triangles of zero area go, and their corners become points on their neighbours' edges; so do
+/// vertices that lie exactly on the open edges of others.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ enum class Pairing {
 /// neighbours are cut as in `seal`. Where all edges of a line close each other, all of it is closed. Returns the number
 /// of points put on edges. O(n log n). No triangle has zero area. Does not depend on the order of points and triangles,
 /// but for which of several equal edges is split.
-std::uint64_t seal_t_junctions(const Array<exact::GridPoint>& points,
-                               Array<std::array<std::uint32_t, 3>>& triangles, Pairing pairing);
+std::uint64_t seal_t_junctions(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles,
+                               Pairing pairing);
 
 }  // namespace quoin::grid

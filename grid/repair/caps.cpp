@@ -26,8 +26,7 @@ void add_cross(Vector& sum, const GridPoint& p, const GridPoint& q, const GridPo
     e[k] = std::int64_t{q.c[k]} - p.c[k];
     f[k] = std::int64_t{r.c[k]} - p.c[k];
   }
-  for (std::size_t k = 0; k < 3; ++k)
-    sum[k] += e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
+  for (std::size_t k = 0; k < 3; ++k) sum[k] += e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
 }
 int128 absolute(int128 v) { return v < 0 ? -v : v; }
 int128 length_by_sum(const Vector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }
@@ -68,6 +67,7 @@ class Loops {
     });
     std::sort(ways_.begin(), ways_.end());
     is_used_.assign(ways_.size(), 0);
+    used_at_.assign(points_.size(), 0);
   }
 
   /// Simple loops: where a way comes back to a vertex, what lies between is one.
@@ -124,16 +124,19 @@ class Loops {
 
   /// An edge that is not used yet and begins at a vertex.
   std::uint32_t next(std::uint32_t v) {
-    auto at = std::lower_bound(ways_.begin(), ways_.end(), std::array<std::uint32_t, 2>{v, 0});
-    for (; at != ways_.end() && (*at)[0] == v; ++at)
-      if (is_used_[static_cast<std::size_t>(at - ways_.begin())] == 0)
-        return static_cast<std::uint32_t>(at - ways_.begin());
+    const auto at = std::lower_bound(ways_.begin(), ways_.end(), std::array<std::uint32_t, 2>{v, 0});
+    const auto begin = static_cast<std::uint32_t>(at - ways_.begin());
+    // Many loops may meet in a vertex: what is used there is passed over once.
+    for (std::uint32_t& skipped = used_at_[v]; begin + skipped < ways_.size() && ways_[begin + skipped][0] == v;
+         ++skipped)
+      if (is_used_[begin + skipped] == 0) return begin + skipped;
     return absent;
   }
 
   const Array<GridPoint>& points_;
   Array<std::array<std::uint32_t, 2>> ways_;
   Array<std::uint8_t> is_used_;
+  Array<std::uint32_t> used_at_;  // of a vertex: how many of its edges, from the first, are known to be used
 };
 
 /// What surrounds holes: the pieces of a surface that hang together over edges.
@@ -159,8 +162,7 @@ class Pieces {
   /// Whether a hole is small beside the surface around it.
   bool is_small(const Hole& hole) {
     const std::uint32_t piece = piece_of(hole);
-    if (!hole.is_planar)
-      return 64 * hole.squared_size() <= squared_distance(boxes_[piece].low, boxes_[piece].high);
+    if (!hole.is_planar) return 64 * hole.squared_size() <= squared_distance(boxes_[piece].low, boxes_[piece].high);
     const int128 cap = length_by_sum(hole.normal);
     return 2 * cap <= areas_[piece] && (16 * cap <= areas_[piece] || !is_terrain(piece, hole));
   }

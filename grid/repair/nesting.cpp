@@ -70,8 +70,7 @@ class Rays {
     nodes_.push_back(node);
     if (end - begin <= leaf_size) return index;
 
-    const std::size_t k =
-        std::int64_t{node.high[0]} - node.low[0] >= std::int64_t{node.high[1]} - node.low[1] ? 1 : 2;
+    const std::size_t k = std::int64_t{node.high[0]} - node.low[0] >= std::int64_t{node.high[1]} - node.low[1] ? 1 : 2;
     const auto middle_of = [&](std::uint32_t t) {
       return std::int64_t{corner(t, 0).c[k]} + corner(t, 1).c[k] + corner(t, 2).c[k];
     };

@@ -61,9 +61,7 @@ Vector between(const GridPoint& p, const GridPoint& q) {
 Vector cross(const Vector& u, const Vector& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
-int128 dot(const Vector& u, const Vector& v) {
-  return int128(u[0]) * v[0] + int128(u[1]) * v[1] + int128(u[2]) * v[2];
-}
+int128 dot(const Vector& u, const Vector& v) { return int128(u[0]) * v[0] + int128(u[1]) * v[1] + int128(u[2]) * v[2]; }
 
 /// The triangles at an edge, in their order around it.
 Array<EdgeUse> around(const Surface& surface, std::span<const EdgeUse> edge) {

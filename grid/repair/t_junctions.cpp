@@ -31,8 +31,8 @@ int128 squared_cross(const Vector& u, const Vector& v) {
 
 /// A vertex beside an edge.
 struct Beside {
-  std::int64_t along;     // times the edge's length
-  double distance;        // for reports only
+  std::int64_t along;  // times the edge's length
+  double distance;     // for reports only
   std::uint32_t vertex;
 };
 
@@ -113,8 +113,7 @@ class Joiner {
   }
 
   void cut_triangles() {
-    std::sort(chains_.begin(), chains_.end(),
-              [](const Chain& c, const Chain& d) { return c.edge.half < d.edge.half; });
+    std::sort(chains_.begin(), chains_.end(), [](const Chain& c, const Chain& d) { return c.edge.half < d.edge.half; });
     Cutter cutter(surface_.points);
     Array<std::uint32_t> loop;
     Array<Triangle> pieces;

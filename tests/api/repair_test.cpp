@@ -279,9 +279,9 @@ TEST(Repair, WhatIsClosedStaysAsItIs) {
   auto random = random_engine();
   Mesh mesh = bumpy_block(3, random);
   append(mesh, mesh);
-  append(mesh, box_mesh({1, 1, 1}, {2, 2, 2}));   // outwards, within
-  append(mesh, box_mesh({2, 2, 2}, {5, 5, 5}));   // across
-  append(mesh, box_mesh({5, 5, 2}, {6, 6, 5}));   // along an edge
+  append(mesh, box_mesh({1, 1, 1}, {2, 2, 2}));  // outwards, within
+  append(mesh, box_mesh({2, 2, 2}, {5, 5, 5}));  // across
+  append(mesh, box_mesh({5, 5, 2}, {6, 6, 5}));  // along an edge
   const Solid whole = import(mesh).value();
   for (const char* text : {"all", "weld=1/100", "t-junctions=1/100", "duplicates", "caps,caps=100", "invert-shells"}) {
     ImportReport report;

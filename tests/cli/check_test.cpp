@@ -59,8 +59,9 @@ TEST_F(CliTest, RepairCuresWhatItIsAskedToAndSaysSo) {
 }
 
 TEST_F(CliTest, WhatIsPassedOverIsSaid) {
-  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\nl 1 2\n"
-               "f 1 3 2\nfo 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  put("a.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\nl 1 2\n"
+      "f 1 3 2\nfo 1 2 4\nf 2 3 4\nf 1 4 3\n");
   const Outcome r = run({"info", "a.obj", "--json"});
   EXPECT_EQ(r.json()["volume"], "1/6");
   EXPECT_EQ(r.err, "quoin: a.obj: 2 normals are passed over\nquoin: a.obj: 1 line is passed over\n");

@@ -102,10 +102,9 @@ TEST(Obj, WhatIsPassedOverIsCounted) {
   EXPECT_EQ(mesh.value().starts.size(), 3U);
   std::vector<std::string> said;
   for (const Notice& notice : mesh.value().notices) said.push_back(notice.sentence);
-  const std::vector<std::string> expected = {"1 colour of a vertex is passed over", "1 normal is passed over",
-                                             "1 texture coordinate is passed over",
-                                             "1 use of a material is passed over", "1 line is passed over",
-                                             "1 point is passed over"};
+  const std::vector<std::string> expected = {
+      "1 colour of a vertex is passed over", "1 normal is passed over", "1 texture coordinate is passed over",
+      "1 use of a material is passed over",  "1 line is passed over",   "1 point is passed over"};
   EXPECT_EQ(said, expected);
 }
 
