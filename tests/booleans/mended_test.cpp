@@ -37,8 +37,8 @@ TEST(LatticeOfNumbers, HoldsNumbersOfTheFormat) {
             ASSERT_LE(abs(steps), (1 << 28) + 1);
             const Rational nearest =
                 lattice.origin[k] + lattice.step * exact::to_rational(std::nearbyint(exact::to_double(steps)));
-            if (floats == Floats::float64) ASSERT_EQ(exact::to_rational(exact::to_double(nearest)), nearest);
-            if (floats == Floats::float32) ASSERT_EQ(exact::to_rational(double{exact::to_float(nearest)}), nearest);
+            const double number = floats == Floats::float64 ? exact::to_double(nearest) : exact::to_float(nearest);
+            ASSERT_EQ(exact::to_rational(number), nearest);
           }
       }
   }
