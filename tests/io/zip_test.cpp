@@ -19,7 +19,7 @@ std::string content_of(const std::string& bytes, const char* name) {
 
 std::string word(std::uint64_t value, int size) {
   std::string out;
-  for (int i = 0; i < size; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+  for (int i = 0; i < size; ++i) out.push_back(i < 8 ? static_cast<char>(value >> (8 * i) & 0xff) : '\0');
   return out;
 }
 
