@@ -145,6 +145,7 @@ std::string deflated(std::string_view content) {
   return out;
 }
 
+/// Little-endian, in at most 8 bytes.
 void append(std::string& out, std::uint64_t value, int size) {
   for (int i = 0; i < size; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
 }
@@ -247,7 +248,7 @@ std::string write_zip(const std::vector<ZipFile>& files) {
     directory += "PK\x01\x02";
     append(directory, 20, 2);
     append_header(directory, entry);
-    append(directory, 0, 10);  // comment, disk, attributes
+    directory.append(10, '\0');  // comment, disk, attributes
     append(directory, entry.header, 4);
     directory += entry.name;
   }
