@@ -26,11 +26,12 @@ class Faults : public CliTest {
 
   /// Every `step`-th call fails, alone or with all behind it, until there is no such call.
   void expect_a_clean_end(const Words& words, const std::string& output, bool rest, std::size_t step) {
+    if (!output.empty()) std::filesystem::remove(folder() / output);
     const auto before = names();
     const std::filesystem::path called = folder().parent_path() / "called";
     std::size_t failures = 0;
     for (std::size_t n = 1;; n += step) {
-      std::filesystem::remove(folder() / output);
+      if (!output.empty()) std::filesystem::remove(folder() / output);
       // Inherited by the program.
       const int told = ::open(called.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
       const std::string count = std::to_string(n);
@@ -74,7 +75,7 @@ TEST_F(Faults, WhereNoThreadStartsTheCallerDoesAll) {
   put("ball.json", R"({"quoin-model": 1, "model": {"sphere": {"radius": "0.7", "sides": 96}}})");
   ASSERT_EQ(run({"eval", "ball.json", "-o", "ball.off"}).code, 0);
   ASSERT_EQ(run({"union", "a.off", "ball.off", "-o", "plain.quoin"}).code, 0);
-  for (const char* threads : {"0", "1", "1000000"}) {
+  for (const char* threads : {"0", "1000000"}) {
     const Outcome r = run_with({{"THREADS", threads}}, {"union", "a.off", "ball.off", "-o", "out.quoin"});
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(get("out.quoin"), get("plain.quoin"));
