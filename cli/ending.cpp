@@ -1,6 +1,8 @@
 #include "ending.h"
 
 #include <atomic>
+#include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -65,6 +67,11 @@ void release(void* old, std::size_t) { std::free(old); }
   end_at_once(ErrorCode::internal_defect, "internal defect: an exception that nobody catches", exit_defect);
 }
 
+/// The C library aborts where it cannot keep a list of what a thread destroys. Any other abort goes its way.
+extern "C" void quoin_cli_handle_abort(int) {
+  if (errno == ENOMEM) end_without_memory();
+}
+
 std::vector<std::string>& written() {
   static std::vector<std::string>& files = *new std::vector<std::string>;
   return files;
@@ -95,6 +102,7 @@ void install_memory_handlers() {
   std::set_new_handler(end_without_memory);
   ::mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_of_uncaught);
+  std::signal(SIGABRT, quoin_cli_handle_abort);
 }
 
 const std::vector<std::string>& written_files() { return written(); }

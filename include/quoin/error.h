@@ -27,6 +27,7 @@ enum class ErrorCode : std::uint8_t {
   no_faces,
   bad_quoin,
   unwritable,
+  too_large,
   // meshes
   open_boundary,
   inside_out,
@@ -52,7 +53,6 @@ enum class ErrorCode : std::uint8_t {
   usage,
   out_of_memory,
   internal_defect,
-  too_large,
 };
 
 /// The code in kebab-case, as files, JSON and the command line show it: "open-boundary".
