@@ -140,8 +140,7 @@ std::optional<Format> format_called(std::string_view name) {
 
 Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
-Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust,
-                           const Limits& limits) {
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust, const Limits& limits) {
   const auto bytes = io::read_file(path, limits);
   if (!bytes) return in_file(bytes.error(), path);
   auto source = parsed(path, bytes.value(), format, trust);
@@ -173,8 +172,7 @@ Result<Solid> read_solid(const std::string& path, const ImportOptions& options, 
   return std::move(solids.value()[0]);
 }
 
-Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports,
-                          const ModelReadOptions& options) {
+Result<Model> Model::read(const std::string& path, std::vector<MeshImport>* imports, const ModelReadOptions& options) {
   if (imports) imports->clear();
   const auto text = io::read_file(path, options.limits);
   if (!text) return in_file(text.error(), path);
@@ -196,7 +194,6 @@ Result<void> write_bytes(const std::string& path, std::string_view bytes, const 
   if (!written) return in_file(written.error(), path);
   return {};
 }
-
 
 Result<void> Solid::write(const std::string& path, const ExportOptions& options) const {
   const auto format = format_of(path);
