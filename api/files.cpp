@@ -405,12 +405,17 @@ std::optional<Format> format_called(std::string_view name) {
 
 Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
+<<<<<<< HEAD
 std::string file_of(const std::string& path) { return parted(path).file; }
 
 Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format, Trust trust,
                                          std::optional<Unit> unit, const Limits& limits) {
   const ObjectPath parts = parted(path);
   const auto bytes = io::read_file(parts.file, limits);
+=======
+Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust, const Limits& limits) {
+  const auto bytes = io::read_file(path, limits);
+>>>>>>> limits15
   if (!bytes) return in_file(bytes.error(), path);
   auto sources = parsed(parts, bytes.value(), format, trust, unit, limits);
   if (!sources) return in_file(sources.error(), path);

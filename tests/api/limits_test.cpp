@@ -1,6 +1,5 @@
 // Small input that asks for much is refused at once, and the sentence names the limit.
 #include <array>
-#include <chrono>
 #include <string>
 
 #include "tests/api/solids.h"
