@@ -65,7 +65,7 @@ Result<Source> source_of(const io::Scene& scene, std::size_t number, std::option
   const std::string where = "object " + std::to_string(number + 1);
   for (const io::PlacedMesh& one : object.meshes) {
     const auto map = map_of(one.placing);
-    auto mesh = map ? placed(scene.meshes[one.mesh], composed(map.value(), conversion)) : map.error();
+    auto mesh = map ? placed_mesh(scene.meshes[one.mesh], composed(map.value(), conversion)) : map.error();
     if (!mesh) {
       Error error = mesh.error();
       error.where = where;
@@ -405,17 +405,12 @@ std::optional<Format> format_called(std::string_view name) {
 
 Result<Format> format_of(std::string_view file_name) { return io::format_of(file_name); }
 
-<<<<<<< HEAD
 std::string file_of(const std::string& path) { return parted(path).file; }
 
 Result<std::vector<Source>> read_objects(const std::string& path, std::optional<Format> format, Trust trust,
                                          std::optional<Unit> unit, const Limits& limits) {
   const ObjectPath parts = parted(path);
   const auto bytes = io::read_file(parts.file, limits);
-=======
-Result<Source> read_source(const std::string& path, std::optional<Format> format, Trust trust, const Limits& limits) {
-  const auto bytes = io::read_file(path, limits);
->>>>>>> limits15
   if (!bytes) return in_file(bytes.error(), path);
   auto sources = parsed(parts, bytes.value(), format, trust, unit, limits);
   if (!sources) return in_file(sources.error(), path);

@@ -125,7 +125,7 @@ std::array<double, 3> RoundedMap::operator()(const std::array<double, 3>& p) con
   return image;
 }
 
-Result<io::PolygonMesh> placed(io::PolygonMesh mesh, const AffineMap& map) {
+Result<io::PolygonMesh> placed_mesh(io::PolygonMesh mesh, const AffineMap& map) {
   if (map == AffineMap{}) return mesh;
   const Rational size = rounding::determinant(map.linear);
   if (size == 0) return Error{ErrorCode::bad_syntax, "a transform flattens what it places"};

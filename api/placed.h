@@ -39,6 +39,6 @@ class RoundedMap {
 
 /// The mesh under the map; where that mirrors, faces are turned round. The identity keeps every bit.
 /// Errors: "bad-syntax" (the map flattens space), "non-finite".
-Result<io::PolygonMesh> placed(io::PolygonMesh mesh, const rounding::AffineMap& map);
+Result<io::PolygonMesh> placed_mesh(io::PolygonMesh mesh, const rounding::AffineMap& map);
 
 }  // namespace quoin

@@ -15,12 +15,12 @@ using Triangle = Surface::Triangle;
 
 namespace {
 
-using Vector = std::array<int128, 3>;
+using AreaVector = std::array<int128, 3>;
 
 /// How far from a plane the corners of a planar hole may lie, squared grid steps.
 constexpr int planar_squared = 16;
 
-void add_cross(Vector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
+void add_cross(AreaVector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
   std::array<std::int64_t, 3> e{}, f{};
   for (std::size_t k = 0; k < 3; ++k) {
     e[k] = std::int64_t{q.c[k]} - p.c[k];
@@ -29,8 +29,8 @@ void add_cross(Vector& sum, const GridPoint& p, const GridPoint& q, const GridPo
   for (std::size_t k = 0; k < 3; ++k) sum[k] += e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
 }
 int128 absolute(int128 v) { return v < 0 ? -v : v; }
-int128 length_by_sum(const Vector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }
-Integer dot(const Vector& v, const Vector& w) {
+int128 length_by_sum(const AreaVector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }
+Integer inner_product(const AreaVector& v, const AreaVector& w) {
   Integer sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += exact::to_integer(v[k]) * exact::to_integer(w[k]);
   return sum;
@@ -49,7 +49,7 @@ struct Box {
 /// A loop of boundary edges, as the missing faces run along it.
 struct Hole {
   Array<std::uint32_t> corners;
-  Vector normal{};  // twice the area of the cap
+  AreaVector normal{};  // twice the area of the cap
   Box box;
   bool is_planar = false;
 
@@ -57,9 +57,9 @@ struct Hole {
 };
 
 /// Boundary edges, to be walked backwards: from an edge's end to its start.
-class Loops {
+class HoleFinder {
  public:
-  explicit Loops(const Surface& surface) : points_(surface.points) {
+  explicit HoleFinder(const Surface& surface) : points_(surface.points) {
     for_edges(edge_uses(surface.triangles), [&](std::span<const EdgeUse> edge) {
       const std::int64_t open = excess(edge);
       if (open == 1) ways_.push_back({edge[0].high, edge[0].low});
@@ -114,10 +114,11 @@ class Loops {
       add_cross(hole.normal, p, points_[hole.corners[i - 1]], points_[hole.corners[i]]);
     for (const std::uint32_t v : hole.corners) hole.box.add(points_[v]);
 
-    const Integer most = planar_squared * dot(hole.normal, hole.normal);
+    const Integer most = planar_squared * inner_product(hole.normal, hole.normal);
     hole.is_planar = std::all_of(hole.corners.begin(), hole.corners.end(), [&](std::uint32_t v) {
       const GridPoint& q = points_[v];
-      const Integer height = dot(hole.normal, {q[0] - int128(p[0]), q[1] - int128(p[1]), q[2] - int128(p[2])});
+      const Integer height =
+          inner_product(hole.normal, {q[0] - int128(p[0]), q[1] - int128(p[1]), q[2] - int128(p[2])});
       return height * height <= most;
     });
   }
@@ -170,8 +171,8 @@ class Pieces {
  private:
   std::uint32_t piece_of(const Hole& hole) { return piece_of_.find(triangle_at_[hole.corners[0]]); }
 
-  Vector normal(std::uint32_t t) const {
-    Vector n{};
+  AreaVector normal(std::uint32_t t) const {
+    AreaVector n{};
     const auto& [a, b, c] = surface_.triangles[t];
     add_cross(n, surface_.points[a], surface_.points[b], surface_.points[c]);
     return n;
@@ -181,7 +182,7 @@ class Pieces {
   /// sidewise. Asked of large holes alone, of which a piece has few.
   bool is_terrain(std::uint32_t piece, const Hole& hole) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      if (piece_of_.find(t) == piece && dot(normal(t), hole.normal) >= 0) return false;
+      if (piece_of_.find(t) == piece && inner_product(normal(t), hole.normal) >= 0) return false;
     return true;
   }
 
@@ -197,7 +198,7 @@ class Pieces {
 std::array<Damage, 2> close_holes(Surface& surface, const Caps& caps, bool look) {
   std::array<Damage, 2> damage{Damage{Defect::hole}, Damage{Defect::hole}};
   damage[0].is_planar = true;
-  const Array<Hole> holes = Loops(surface).find();
+  const Array<Hole> holes = HoleFinder(surface).find();
   if (holes.empty()) return damage;
 
   Pieces pieces(surface);

@@ -15,10 +15,10 @@ namespace {
 
 using Vector = std::array<std::int64_t, 3>;
 
-Vector between(const GridPoint& p, const GridPoint& q) {
+Vector edge_vector(const GridPoint& p, const GridPoint& q) {
   return {std::int64_t{q[0]} - p[0], std::int64_t{q[1]} - p[1], std::int64_t{q[2]} - p[2]};
 }
-std::int64_t dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+std::int64_t product(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 /// The square of |u x v|, below 2^124.
 int128 squared_cross(const Vector& u, const Vector& v) {
   int128 sum = 0;
@@ -61,8 +61,8 @@ class Joiner {
  private:
   Array<Beside> vertices_beside(const EdgeUse& edge) const {
     const GridPoint &a = surface_.points[edge.from()], &b = surface_.points[edge.to()];
-    const Vector along = between(a, b);
-    const std::int64_t squared_length = dot(along, along);
+    const Vector along = edge_vector(a, b);
+    const std::int64_t squared_length = product(along, along);
     NearPoints::Corner low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(a.c[k], b.c[k]) - reach_.radius();
@@ -72,8 +72,8 @@ class Joiner {
     Array<Beside> found;
     tree_.in_box(low, high, [&](std::uint32_t v) {
       if (v == edge.low || v == edge.high) return;
-      const Vector to = between(a, surface_.points[v]);
-      const std::int64_t place = dot(along, to);
+      const Vector to = edge_vector(a, surface_.points[v]);
+      const std::int64_t place = product(along, to);
       if (place <= 0 || place >= squared_length) return;
       const int128 squared = squared_cross(along, to);
       if (!reach_.holds(squared, squared_length)) return;

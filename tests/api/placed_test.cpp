@@ -82,16 +82,16 @@ TEST(Placed, StepsComposeExactly) {
 
 TEST(Placed, MirroredFacesAreTurnedRound) {
   const io::PolygonMesh mesh{{0.1, 0, -0.0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 3, 7}, {0, 1, 2, 0, 1, 3, 2}};
-  const auto mirrored = placed(mesh, map_of({io::MatrixStep{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}}).value());
+  const auto mirrored = placed_mesh(mesh, map_of({io::MatrixStep{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}}).value());
   ASSERT_TRUE(mirrored);
   EXPECT_EQ(mirrored.value().corners, (std::vector<std::uint32_t>{2, 1, 0, 2, 3, 1, 0}));
   EXPECT_EQ(mirrored.value().points[0], -0.1);
 
-  const auto same = placed(mesh, {});
+  const auto same = placed_mesh(mesh, {});
   EXPECT_EQ(io::test::bits(same.value().points), io::test::bits(mesh.points));
-  EXPECT_EQ(placed(mesh, map_of({io::MatrixStep{}}).value()).error().code, ErrorCode::bad_syntax);
+  EXPECT_EQ(placed_mesh(mesh, map_of({io::MatrixStep{}}).value()).error().code, ErrorCode::bad_syntax);
   const io::MatrixStep huge = {{1e308, 1e308, 0, 1e308, 0, 1, 0, 0, 0, 0, 1, 0}};
-  EXPECT_EQ(placed(mesh, map_of({huge}).value()).error().code, ErrorCode::non_finite);
+  EXPECT_EQ(placed_mesh(mesh, map_of({huge}).value()).error().code, ErrorCode::non_finite);
 }
 
 TEST(Placed, UnitsAreExact) {
