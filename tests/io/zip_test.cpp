@@ -44,7 +44,7 @@ TEST(Zip, WhatIsWrittenIsRead) {
   std::mt19937_64 random(test::seed());
   std::string noise, long_text;
   for (int i = 0; i < 100000; ++i) noise.push_back(static_cast<char>(random()));
-  for (int i = 0; i < 60000; ++i) long_text += std::to_string(i * i);
+  for (std::uint64_t i = 0; i < 60000; ++i) long_text += std::to_string(i * i);
   const std::string bytes = write_zip({{"a", "first"}, {"Folder/b.txt", long_text}, {"noise", noise}, {"empty", ""}});
   EXPECT_EQ(bytes, write_zip({{"a", "first"}, {"Folder/b.txt", long_text}, {"noise", noise}, {"empty", ""}}));
   EXPECT_EQ(content_of(bytes, "a"), "first");
