@@ -45,7 +45,7 @@ inline void require_scene_or_refusal(std::string_view bytes, Format format) {
       if (++placed_count > enough) return;
       const auto map = map_of(one.placing);
       if (!map) continue;
-      const auto image = placed(value.meshes[one.mesh], map.value());
+      const auto image = placed_mesh(value.meshes[one.mesh], map.value());
       require(!image || is_valid(image.value()), "a placed mesh is a mesh");
     }
 }
