@@ -18,10 +18,11 @@ std::string told(const Error& e) { return to_string(e.code) + ": " + e.message +
 
 /// The codes that docs/errors.md has for motions and models.
 void check_error(const Error& error) {
-  static constexpr std::array<ErrorCode, 12> codes{
+  static constexpr std::array<ErrorCode, 13> codes{
       ErrorCode::bad_number,   ErrorCode::bad_parameter, ErrorCode::bad_primitive,       ErrorCode::bad_axis,
       ErrorCode::bad_factor,   ErrorCode::bad_plane,     ErrorCode::not_a_rotation,      ErrorCode::unbounded,
-      ErrorCode::inexact_grid, ErrorCode::out_of_range,  ErrorCode::inconsistent_motion, ErrorCode::non_finite};
+      ErrorCode::inexact_grid, ErrorCode::out_of_range,  ErrorCode::inconsistent_motion, ErrorCode::non_finite,
+      ErrorCode::too_large};
   require(std::find(codes.begin(), codes.end(), error.code) != codes.end(),
           "errors are those documented:", told(error));
   require(!error.message.empty(), "an error has a message:", to_string(error.code));
