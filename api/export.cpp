@@ -57,7 +57,7 @@ bool is_valid(const Body& body, const grid::Lattice& lattice, Floats floats, con
   return booleans::is_valid(body, draft.mesh, floats, lattice, draft.points, draft.moves);
 }
 
-/// A valid draft of what is mended, with what that took.
+/// What is written, and what mending it took.
 struct Mending {
   Draft draft;
   bool is_valid = false;
@@ -192,17 +192,21 @@ std::optional<Error> out_of_range(const Body& body, const Draft& draft, const gr
                "vertex " + grid::describe_point(&places[static_cast<std::size_t>(far - draft.points.begin()) / 3 * 3])};
 }
 
-/// What is written, but for what mending did.
-ExportReport reported(const Body& body, const Draft& draft, const grid::Lattice& lattice, const ExportOptions& options,
-                      bool is_valid) {
+ExportReport reported(const Body& body, const Mending& mending, const grid::Lattice& lattice,
+                      const ExportOptions& options) {
+  const Draft& draft = mending.draft;
   ExportReport report;
   report.triangles = draft.mesh.triangle_count();
   report.split_edges = draft.mesh.split_edges;
   report.shared_edges = draft.mesh.shared_edges;
   report.closed = grid::is_balanced(draft.mesh.corners, draft.mesh.vertex_count());
-  report.valid = is_valid;
-  report.max_round = draft.moves.most;
-  if (is_valid) return report;
+  report.valid = mending.is_valid && body.is_proved;
+  report.max_round = mending.most;
+  report.mending_rounds = mending.rounds;
+  report.mended_crossings = mending.crossings;
+  report.merged_vertices = mending.merged_points;
+  report.vanished_triangles = mending.vanished_triangles;
+  if (mending.is_valid) return report;
 
   const auto effects = booleans::rounding_effects(body, draft.mesh, lattice, floats_of(options), draft.points);
   report.flipped = effects.flipped;
@@ -259,32 +263,26 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& own, const ExportOp
 
   if (!begin("prove", 0.7)) return cancelled;
   const bool wants_proof = options.validity == Validity::valid;
-  const bool is_proved = wants_proof && is_valid(body, lattice, floats, draft);
-  if (report) {
-    *report = reported(body, draft, lattice, options, is_proved);
-    report->valid = is_proved && body.is_proved;
-    report->recentred = centre;
-    if (report->max_round > 0) report->least_detail = least_detail(body, draft.mesh, lattice, report->max_round);
-  }
-  if (is_proved || !wants_proof) return Mesh{std::move(draft.points), std::move(draft.mesh.corners)};
+  Mending result;
+  result.most = draft.moves.most;
+  result.is_valid = wants_proof && is_valid(body, lattice, floats, draft);
+  const double detail = report && result.most > 0 ? least_detail(body, draft.mesh, lattice, result.most) : 0;
 
-  if (!begin("mend", 0.8)) return cancelled;
-  auto mending = mended(body, lattice, options, std::move(draft), run.cancel);
-  if (!mending) return cancelled;
-  draft = std::move(mending.value().draft);
-  if (report) {
-    const ExportReport before = *report;
-    *report = reported(body, draft, lattice, options, mending.value().is_valid);
-    report->valid = mending.value().is_valid && body.is_proved;
-    report->recentred = centre;
-    report->least_detail = before.least_detail;
-    report->max_round = mending.value().most;
-    report->mending_rounds = mending.value().rounds;
-    report->mended_crossings = mending.value().crossings;
-    report->merged_vertices = mending.value().merged_points;
-    report->vanished_triangles = mending.value().vanished_triangles;
+  if (wants_proof && !result.is_valid) {
+    if (!begin("mend", 0.8)) return cancelled;
+    auto mending = mended(body, lattice, options, std::move(draft), run.cancel);
+    if (!mending) return cancelled;
+    result = std::move(mending).value();
+  } else {
+    result.draft = std::move(draft);
   }
-  return Mesh{std::move(draft.points), std::move(draft.mesh.corners)};
+
+  if (report) {
+    *report = reported(body, result, lattice, options);
+    report->recentred = centre;
+    report->least_detail = detail;
+  }
+  return Mesh{std::move(result.draft.points), std::move(result.draft.mesh.corners)};
 }
 
 }  // namespace
