@@ -213,8 +213,12 @@ Result<Grid> grid_around_meshes(const std::vector<Source>& sources) {
                          [&](const Error& error, std::size_t i) { return in_file(error, owners[i]->name); });
 }
 
-/// What import did to several meshes of one source.
+/// What import did to several meshes of one source. Of dropped shells one notice says all, behind the others.
 void add(ImportReport& all, const ImportReport& one) {
+  const auto end_of_others = [](const ImportReport& r) { return r.notices.end() - (r.dropped_shells > 0 ? 1 : 0); };
+  all.notices.erase(end_of_others(all), all.notices.end());
+  all.notices.insert(all.notices.end(), one.notices.begin(), end_of_others(one));
+
   all.max_snap = std::max(all.max_snap, one.max_snap);
   all.merged_points += one.merged_points;
   all.zero_area_triangles += one.zero_area_triangles;
@@ -225,7 +229,7 @@ void add(ImportReport& all, const ImportReport& one) {
   all.sealed_t_junctions += one.sealed_t_junctions;
   all.findings.insert(all.findings.end(), one.findings.begin(), one.findings.end());
   all.repairs.insert(all.repairs.end(), one.repairs.begin(), one.repairs.end());
-  all.notices.insert(all.notices.end(), one.notices.begin(), one.notices.end());
+  if (all.dropped_shells > 0) all.notices.push_back(notice_of_dropped_shells(all.dropped_shells));
 }
 
 /// The only mesh of a source on a grid, or the union of all.

@@ -36,16 +36,13 @@ ImportReport report_of(const grid::ImportedMesh& mesh) {
   return report;
 }
 
-/// Inside is winding number > 0, so that nothing is left of a body that is inside out among others.
 void note_dropped_shells(const booleans::DroppedShells& dropped, const grid::Lattice& lattice, ImportReport& report) {
   const std::string place = grid::describe_point(lattice, dropped.lowest_corner);
   report.dropped_where = "shell at " + place;
-  const bool one = dropped.count == 1;
-  const std::string count = std::to_string(dropped.count);
-  report.findings.push_back({Defect::inside_out, dropped.count, 0, "near " + place, "invert-shells",
-                             count + (one ? " shell is inside out" : " shells are inside out")});
-  report.notices.push_back({dropped.count, count + (one ? " shell is inside out and bounds nothing: dropped"
-                                                        : " shells are inside out and bound nothing: dropped")});
+  report.findings.push_back(
+      {Defect::inside_out, dropped.count, 0, "near " + place, "invert-shells",
+       std::to_string(dropped.count) + (dropped.count == 1 ? " shell is inside out" : " shells are inside out")});
+  report.notices.push_back(notice_of_dropped_shells(dropped.count));
 }
 
 /// The body without crossings; adds to the report what that took, and what was lost.
@@ -128,6 +125,11 @@ std::string far_point(std::span<const std::span<const double>> meshes) {
 }
 
 }  // namespace
+
+Notice notice_of_dropped_shells(std::uint64_t count) {
+  return {count, std::to_string(count) + (count == 1 ? " shell is inside out and bounds nothing: dropped"
+                                                     : " shells are inside out and bound nothing: dropped")};
+}
 
 Box mesh_box(std::span<const std::span<const double>> meshes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -16,4 +16,8 @@ Box mesh_box(std::span<const std::span<const double>> meshes);
 /// Errors: "out-of-range".
 Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes);
 
+/// Inside is winding number > 0, so that nothing is left of a body that is inside out among others: the last notice of
+/// a report with dropped shells.
+Notice notice_of_dropped_shells(std::uint64_t count);
+
 }  // namespace quoin

@@ -66,7 +66,7 @@ struct ImportReport {
   std::vector<Finding> findings = {};
   /// What the cures did that were asked for, one a kind.
   std::vector<Finding> repairs = {};
-  /// What was passed over, of the file and of the mesh, one a kind.
+  /// What was passed over, of the file and of the mesh, one a kind. Where shells are dropped, the last one says so.
   std::vector<Notice> notices = {};
 };
 

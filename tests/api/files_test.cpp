@@ -636,6 +636,37 @@ TEST_F(Files, UnitsAreKeptOrConvertedWhenAsked) {
   EXPECT_EQ(taken.mesh.points, none.mesh.points);
 }
 
+// Each mesh of a source may have shells that are inside out: one notice says all of them, behind the others.
+TEST(SourceOfMeshes, NoticesOfDroppedShells) {
+  const auto two_bodies = [](double x) {
+    PolygonMesh mesh;
+    const auto add_tetrahedron = [&](double at, double leg, bool inside_out) {
+      const auto first = static_cast<std::uint32_t>(mesh.points.size() / 3);
+      mesh.points.insert(mesh.points.end(), {at, 0, 0, at + leg, 0, 0, at, leg, 0, at, 0, leg});
+      for (auto [a, b, c] : {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+        if (inside_out) std::swap(b, c);
+        mesh.corners.insert(mesh.corners.end(), {first + a, first + b, first + c});
+        mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+      }
+    };
+    add_tetrahedron(x, 6, false);
+    add_tetrahedron(x + 10, 3, true);
+    return mesh;
+  };
+  Source source;
+  source.mesh = two_bodies(0);
+  source.others = {two_bodies(100)};
+  source.notices = {{3, "3 lines are passed over"}};
+
+  std::vector<ImportReport> reports;
+  const auto solids = build({source}, {}, &reports);
+  ASSERT_TRUE(solids) << solids.error().message;
+  EXPECT_EQ(solids.value()[0].volume(), "72");
+  EXPECT_EQ(reports[0].dropped_shells, 2U);
+  EXPECT_EQ(reports[0].notices, (std::vector<Notice>{{3, "3 lines are passed over"},
+                                                     {2, "2 shells are inside out and bound nothing: dropped"}}));
+}
+
 // A glTF may name files beside it, and no others.
 TEST_F(Files, BuffersAreBesideTheFile) {
   const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).to_triangles().value();
