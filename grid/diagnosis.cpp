@@ -14,18 +14,12 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
 double in_model_units(double steps, const Lattice& lattice) {
   return steps == 0 ? 0 : exact::double_above(exact::to_rational(steps) * lattice.step);
 }
 
 std::string sentence_of(const Finding& f, const Damage& damage) {
-  const std::string size = shortest(f.size);
+  const std::string size = describe_number(f.size);
   switch (f.kind) {
     case Defect::crack:
       return "a crack up to " + size + " wide: " + counted(f.count, "boundary vertex lies", "boundary vertices lie") +
@@ -77,7 +71,7 @@ std::string cure_of(const Damage& damage, double size) {
 }
 
 std::string deed_of(const Finding& f, const Damage& damage) {
-  const std::string size = shortest(f.size);
+  const std::string size = describe_number(f.size);
   switch (f.kind) {
     case Defect::crack:
       return counted(f.count, "boundary vertex", "boundary vertices") + " welded to another, at most " + size + " away";
@@ -125,7 +119,7 @@ std::string decimal_above(double value) {
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), above, std::chars_format::scientific, 2).ptr;
     double rounded = 0;
     std::from_chars(buffer.data(), end, rounded);
-    const std::string text = shortest(rounded);
+    const std::string text = describe_number(rounded);
     // The text as an exact number may lie a little below the double.
     if (exact::parse_rational(text).value_or(0) >= exact::to_rational(value)) return text;
     above *= 1.005;

@@ -191,11 +191,6 @@ Moves snap_all(std::span<const double> points, std::span<GridPoint> snapped, Sna
   return all;
 }
 
-std::string text(double v) {
-  std::array<char, 40> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr};
-}
-
 bool in_world(const Lattice& lattice, double v, std::size_t k) {
   // The nearest grid coordinate, ties to even, is at most 2^29 exactly up to 2^29 + 1/2.
   const Rational reach = lattice.step * (Rational(exact::world) + Rational(1, 2));
@@ -240,8 +235,13 @@ Error refusal(std::span<const double> points, const Lattice& lattice) {
 
 }  // namespace
 
+std::string describe_number(double value) {
+  std::array<char, 40> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
 std::string describe_point(const double* point) {
-  return "(" + text(point[0]) + ", " + text(point[1]) + ", " + text(point[2]) + ")";
+  return "(" + describe_number(point[0]) + ", " + describe_number(point[1]) + ", " + describe_number(point[2]) + ")";
 }
 
 std::string describe_point(const Lattice& lattice, const GridPoint& point) {

@@ -23,6 +23,8 @@ struct Snapped {
 /// Precondition: points.size() is a multiple of 3. Errors: "non-finite", "out-of-range".
 Result<Snapped> snap(std::span<const double> points, const Lattice& lattice);
 
+/// The shortest decimal that reads back to the same double.
+std::string describe_number(double value);
 /// "(x, y, z)", each number the shortest that reads back to the same double.
 std::string describe_point(const double* point);
 /// The same for a grid point, in model units, correctly rounded.

@@ -21,12 +21,8 @@ using AreaVector = std::array<int128, 3>;
 constexpr int planar_squared = 16;
 
 void add_cross(AreaVector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
-  std::array<std::int64_t, 3> e{}, f{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    e[k] = std::int64_t{q.c[k]} - p.c[k];
-    f[k] = std::int64_t{r.c[k]} - p.c[k];
-  }
-  for (std::size_t k = 0; k < 3; ++k) sum[k] += e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
+  const Vector area = cross(between(p, q), between(p, r));
+  for (std::size_t k = 0; k < 3; ++k) sum[k] += area[k];
 }
 int128 absolute(int128 v) { return v < 0 ? -v : v; }
 int128 length_by_sum(const AreaVector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }

@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 #include "grid/repair/cures.h"
+#include "grid/repair/median_tree.h"
 #include "grid/shells.h"
 
 namespace quoin::grid {
@@ -17,79 +18,45 @@ using Tripled = std::array<std::int64_t, 3>;
 
 Tripled tripled(const GridPoint& p) { return {3 * std::int64_t{p[0]}, 3 * std::int64_t{p[1]}, 3 * std::int64_t{p[2]}}; }
 
-/// A box tree over triangles seen along x, for rays that run that way.
+/// Rays that run along x, among triangles.
 class Rays {
  public:
-  explicit Rays(const Surface& surface) : surface_(surface), members_(surface.triangles.size()) {
-    for (std::uint32_t t = 0; t < members_.size(); ++t) members_[t] = t;
-    if (!members_.empty()) build(0, static_cast<std::uint32_t>(members_.size()));
-  }
+  explicit Rays(const Surface& surface)
+      : surface_(surface),
+        tree_(
+            all(surface), [this](std::uint32_t t) { return box(t); }, 1) {}
 
   /// visit(triangle) for each that the ray from `start` to greater x crosses; of triangles that share what the ray
   /// meets exactly one counts, as if it ran a little higher in z, and less in y.
   template <class Visit>
   void cross(const Tripled& start, Visit&& visit) const {
-    if (nodes_.empty()) return;
-    std::array<std::uint32_t, 70> stack{};
-    std::size_t depth = 1;
-    while (depth > 0) {
-      const Node& node = nodes_[stack[--depth]];
-      if (is_apart(node, start)) continue;
-      if (node.left != 0) {
-        stack[depth++] = node.right;
-        stack[depth++] = node.left;
-        continue;
-      }
-      for (std::uint32_t i = node.begin; i < node.end; ++i)
-        if (crosses(members_[i], start)) visit(members_[i]);
-    }
+    const auto is_in_way = [&](const MedianTree::Box& box) {
+      const Tripled low = tripled(box.low), high = tripled(box.high);
+      return high[0] >= start[0] && high[1] >= start[1] && low[1] <= start[1] && high[2] >= start[2] &&
+             low[2] <= start[2];
+    };
+    tree_.search(is_in_way, [&](std::uint32_t t) {
+      if (crosses(t, start)) visit(t);
+    });
   }
 
  private:
-  struct Node {
-    std::array<std::int32_t, 2> low, high;  // y, z
-    std::int32_t last_x;
-    std::uint32_t begin, end, left, right;
-  };
-  static constexpr std::uint32_t leaf_size = 8;
+  static Array<std::uint32_t> all(const Surface& surface) {
+    Array<std::uint32_t> members(surface.triangles.size());
+    std::iota(members.begin(), members.end(), 0u);
+    return members;
+  }
 
   const GridPoint& corner(std::uint32_t t, std::size_t k) const { return surface_.points[surface_.triangles[t][k]]; }
 
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end) {
-    const auto index = static_cast<std::uint32_t>(nodes_.size());
-    Node node{{INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN}, INT32_MIN, begin, end, 0, 0};
-    for (std::uint32_t i = begin; i < end; ++i)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const GridPoint& p = corner(members_[i], c);
-        node.last_x = std::max(node.last_x, p[0]);
-        for (std::size_t k = 0; k < 2; ++k) {
-          node.low[k] = std::min(node.low[k], p.c[k + 1]);
-          node.high[k] = std::max(node.high[k], p.c[k + 1]);
-        }
+  MedianTree::Box box(std::uint32_t t) const {
+    MedianTree::Box box{corner(t, 0), corner(t, 0)};
+    for (std::size_t c = 1; c < 3; ++c)
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low.c[k] = std::min(box.low.c[k], corner(t, c).c[k]);
+        box.high.c[k] = std::max(box.high.c[k], corner(t, c).c[k]);
       }
-    nodes_.push_back(node);
-    if (end - begin <= leaf_size) return index;
-
-    const std::size_t k = std::int64_t{node.high[0]} - node.low[0] >= std::int64_t{node.high[1]} - node.low[1] ? 1 : 2;
-    const auto middle_of = [&](std::uint32_t t) {
-      return std::int64_t{corner(t, 0).c[k]} + corner(t, 1).c[k] + corner(t, 2).c[k];
-    };
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end,
-                     [&](std::uint32_t s, std::uint32_t t) {
-                       return std::pair{middle_of(s), s} < std::pair{middle_of(t), t};
-                     });
-    const std::uint32_t left = build(begin, middle), right = build(middle, end);
-    nodes_[index].left = left;
-    nodes_[index].right = right;
-    return index;
-  }
-
-  static bool is_apart(const Node& node, const Tripled& start) {
-    if (3 * std::int64_t{node.last_x} < start[0]) return true;
-    for (std::size_t k = 0; k < 2; ++k)
-      if (3 * std::int64_t{node.high[k]} < start[k + 1] || 3 * std::int64_t{node.low[k]} > start[k + 1]) return true;
-    return false;
+    return box;
   }
 
   /// By half-open edges in y and z; then by the side of the triangle's plane, which the line crosses.
@@ -120,8 +87,7 @@ class Rays {
   }
 
   const Surface& surface_;
-  Array<std::uint32_t> members_;
-  Array<Node> nodes_;
+  MedianTree tree_;
 };
 
 /// For each shell the others that it lies in, ascending: those that a ray from the middle of its first triangle

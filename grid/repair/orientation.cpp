@@ -52,17 +52,6 @@ class Turns {
   Array<std::uint8_t> turned_;
 };
 
-using Vector = std::array<std::int64_t, 3>;
-
-Vector between(const GridPoint& p, const GridPoint& q) {
-  return {std::int64_t{q[0]} - p[0], std::int64_t{q[1]} - p[1], std::int64_t{q[2]} - p[2]};
-}
-/// Components at most 2^61.
-Vector cross(const Vector& u, const Vector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-int128 dot(const Vector& u, const Vector& v) { return int128(u[0]) * v[0] + int128(u[1]) * v[1] + int128(u[2]) * v[2]; }
-
 /// The triangles at an edge, in their order around it.
 Array<EdgeUse> around(const Surface& surface, std::span<const EdgeUse> edge) {
   const GridPoint& origin = surface.points[edge[0].low];

@@ -13,22 +13,6 @@ using Triangle = Surface::Triangle;
 
 namespace {
 
-using Vector = std::array<std::int64_t, 3>;
-
-Vector edge_vector(const GridPoint& p, const GridPoint& q) {
-  return {std::int64_t{q[0]} - p[0], std::int64_t{q[1]} - p[1], std::int64_t{q[2]} - p[2]};
-}
-std::int64_t product(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-/// The square of |u x v|, below 2^124.
-int128 squared_cross(const Vector& u, const Vector& v) {
-  int128 sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::int64_t c = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-    sum += int128(c) * c;
-  }
-  return sum;
-}
-
 /// A vertex beside an edge.
 struct Beside {
   std::int64_t along;  // times the edge's length
@@ -61,8 +45,8 @@ class Joiner {
  private:
   Array<Beside> vertices_beside(const EdgeUse& edge) const {
     const GridPoint &a = surface_.points[edge.from()], &b = surface_.points[edge.to()];
-    const Vector along = edge_vector(a, b);
-    const std::int64_t squared_length = product(along, along);
+    const Vector along = between(a, b);
+    const auto squared_length = static_cast<std::int64_t>(dot(along, along));  // below 2^62
     NearPoints::Corner low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(a.c[k], b.c[k]) - reach_.radius();
@@ -72,10 +56,11 @@ class Joiner {
     Array<Beside> found;
     tree_.in_box(low, high, [&](std::uint32_t v) {
       if (v == edge.low || v == edge.high) return;
-      const Vector to = edge_vector(a, surface_.points[v]);
-      const std::int64_t place = product(along, to);
+      const Vector to = between(a, surface_.points[v]);
+      const auto place = static_cast<std::int64_t>(dot(along, to));
       if (place <= 0 || place >= squared_length) return;
-      const int128 squared = squared_cross(along, to);
+      const Vector normal = cross(along, to);
+      const int128 squared = dot(normal, normal);
       if (!reach_.holds(squared, squared_length)) return;
       if (reach_.is_careful() && !is_clear(squared, squared_length, v)) return;
       const double distance = length_of(squared) / length_of(squared_length) * (1 + 0x1p-48);
