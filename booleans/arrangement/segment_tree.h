@@ -50,13 +50,10 @@ class SegmentTree {
       return hub != none || beside(a, below(level, y), vertices) || beside(b, below(level, x), vertices);
     };
     boxes_.block_pairs(BoxTree::Pairs::all, pass, [&](std::uint32_t x, std::uint32_t y) {
-      LanePairs left = boxes_.lane_pairs(BoxTree::Pairs::all, x, y);
+      const LanePairs left = boxes_.lane_pairs(BoxTree::Pairs::all, x, y);
       if (x != y && std::popcount(left) > grid::thresholds().crowded_blocks && pass(1, x, y)) return;
-      for (; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-        visit(boxes_.ids()[x * BoxBlock::width + lane / BoxBlock::width],
-              boxes_.ids()[y * BoxBlock::width + lane % BoxBlock::width]);
-      }
+      BoxTree::for_lane_pairs(left, x, y,
+                              [&](std::uint32_t i, std::uint32_t j) { visit(boxes_.ids()[i], boxes_.ids()[j]); });
     });
     std::sort(hubs.begin(), hubs.end());
     hubs.erase(std::unique(hubs.begin(), hubs.end()), hubs.end());

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "booleans/arrangement/spared_loops.h"
+#include "booleans/body/adjacency.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -59,7 +60,6 @@ class Collector {
   }
 
   TouchedPart part;
-  std::unique_ptr<const Adjacency> adjacency;
 
  private:
   /// visit(loop) for the loops of a face that are drawn, the outer one first where others are spared.
@@ -93,7 +93,7 @@ class Collector {
         if (!is_whole) grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { add_edge(u, v, boxes); });
       });
     }
-    adjacency = std::make_unique<const Adjacency>(body_, std::move(drawn), operands.chunks_meeting(operand, boxes));
+    adjacency_ = std::make_unique<const Adjacency>(body_, std::move(drawn), operands.chunks_meeting(operand, boxes));
   }
   /// Of many edges one box is as good.
   void add_edge(std::uint32_t u, std::uint32_t v, Array<Box>& boxes) const {
@@ -117,8 +117,8 @@ class Collector {
 
   /// Knows one end of the edge. Regions that reach far make it complete.
   const Adjacency& at_edge(std::uint32_t u, std::uint32_t v) {
-    if (!adjacency->knows(u) && !adjacency->knows(v)) adjacency = std::make_unique<const Adjacency>(body_);
-    return *adjacency;
+    if (!adjacency_->knows(u) && !adjacency_->knows(v)) adjacency_ = std::make_unique<const Adjacency>(body_);
+    return *adjacency_;
   }
 
   void begin_region(std::uint32_t f, const exact::Plane& plane) {
@@ -284,6 +284,7 @@ class Collector {
   const SparedLoops spared_;
   grid::Paged<TouchedId> touched_of_;                      // by own face
   std::unordered_map<std::uint64_t, EdgePlanes> crowded_;  // of edges of many faces
+  std::unique_ptr<const Adjacency> adjacency_;
 };
 
 /// Gives the planes and vertices of a part their names, and adds it.
@@ -367,7 +368,6 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
   Touched out;
   out.cover_once = operands.are_clean;
   out.touched_of = grid::PagedById<FaceId, TouchedId>(operands.face_count(), none);
-  out.adjacency.resize(n);
   names.operands.resize(n);
 
   Array<exact::GridPoint> hubs = pairs.hubs;
@@ -380,7 +380,6 @@ Touched collect_touched(const Operands& operands, const FacePairs& pairs, Names&
     if (named[o].empty()) return;
     Collector collector(operands, o, named[o], hubs);
     parts[o] = std::move(collector.part);
-    out.adjacency[o] = std::move(collector.adjacency);
   });
 
   std::size_t faces = 0, edges = 0, members = 0, planes = 0, untouched = 0;

@@ -6,7 +6,6 @@
 
 #include "booleans/arrangement/names.h"
 #include "booleans/arrangement/segment_tree.h"
-#include "booleans/body/adjacency.h"
 #include "booleans/pairs/operands.h"
 
 namespace quoin::booleans {
@@ -55,8 +54,6 @@ struct Touched {
   Array<UntouchedUse> untouched;
   grid::PagedById<FaceId, TouchedId> touched_of;  // none where a face is untouched
   Array<FaceId> members;                          // the faces that are touched
-  /// Per operand, of the vertices of touched faces at least; null where nothing is touched.
-  ById<OperandId, std::unique_ptr<const Adjacency>> adjacency;
   /// Of faces with many edges (Thresholds::large_face): their edges in order. Null for the others.
   ById<TouchedId, std::unique_ptr<const SegmentTree>> edge_tree;
 

@@ -4,6 +4,7 @@
 
 #include <unordered_map>
 
+#include "booleans/body/adjacency.h"
 #include "booleans/classify/any_vertex.h"
 #include "grid/lists/buckets.h"
 

@@ -155,15 +155,21 @@ class BoxTree {
     }
     return pairs;
   }
+  /// visit(i, j) for the places, in the tree's order, of pairs of an item of block x and one of block y.
+  template <class Visit>
+  static void for_lane_pairs(LanePairs pairs, std::uint32_t x, std::uint32_t y, Visit&& visit) {
+    for (; pairs != 0; pairs &= pairs - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(pairs));
+      visit(x * BoxBlock::width + lane / BoxBlock::width, y * BoxBlock::width + lane % BoxBlock::width);
+    }
+  }
   /// visit(id, id') for every pair of items whose boxes meet, each pair once.
   template <class Visit>
   void pairs(Visit&& visit, Pairs wanted = Pairs::all) const {
     const auto never = [](std::size_t, std::uint32_t, std::uint32_t) { return false; };
     block_pairs(wanted, never, [&](std::uint32_t x, std::uint32_t y) {
-      for (LanePairs left = lane_pairs(wanted, x, y); left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-        visit(ids_[x * BoxBlock::width + lane / BoxBlock::width], ids_[y * BoxBlock::width + lane % BoxBlock::width]);
-      }
+      for_lane_pairs(lane_pairs(wanted, x, y), x, y,
+                     [&](std::uint32_t i, std::uint32_t j) { visit(ids_[i], ids_[j]); });
     });
   }
 
@@ -231,11 +237,9 @@ class BoxTree {
     if (level == 1) return visit(x, y);
     LanePairs parts = part_pairs(level, x, y);
     if (std::popcount(parts) > grid::thresholds().crowded_nodes && pass(level, x, y)) return;
-    for (; parts != 0; parts &= parts - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(parts));
-      cross(level - 1, x * BoxBlock::width + lane / BoxBlock::width, y * BoxBlock::width + lane % BoxBlock::width,
-            wanted, pass, visit);
-    }
+    for_lane_pairs(parts, x, y, [&](std::uint32_t part_x, std::uint32_t part_y) {
+      cross(level - 1, part_x, part_y, wanted, pass, visit);
+    });
   }
 
   template <class Of, class Visit>

@@ -128,12 +128,9 @@ class PairSearch {
   void test(const BlockPair& p, FacePairs& found) const {
     LanePairs left = p.lanes;
     if (std::popcount(left) > grid::thresholds().crowded_blocks) left &= ~slabs_.apart(p.x, p.y);
-    for (; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-      const std::uint32_t i = p.x * BoxBlock::width + lane / BoxBlock::width,
-                          j = p.y * BoxBlock::width + lane % BoxBlock::width;
+    BoxTree::for_lane_pairs(left, p.x, p.y, [&](std::uint32_t i, std::uint32_t j) {
       if (wanted_(i, j)) found.push_back(pair_of(i, j));
-    }
+    });
   }
   /// Of the faces in those places of the tree.
   FacePair pair_of(std::uint32_t i, std::uint32_t j) const {

@@ -388,12 +388,10 @@ class Proof {
     grid::in_stretches(blocks.size(), batch, [&](std::size_t s, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && proper; ++i) {
         const auto [x, y] = blocks[i];
-        for (LanePairs left = tree.lane_pairs(BoxTree::Pairs::all, x, y); left != 0; left &= left - 1) {
-          const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-          const std::uint32_t f = tree.ids()[x * BoxBlock::width + lane / BoxBlock::width];
-          const std::uint32_t g = tree.ids()[y * BoxBlock::width + lane % BoxBlock::width];
-          if (f != g && !is_proper(f, g, doubtful[s])) proper = false;
-        }
+        BoxTree::for_lane_pairs(tree.lane_pairs(BoxTree::Pairs::all, x, y), x, y,
+                                [&](std::uint32_t f, std::uint32_t g) {
+                                  if (!is_proper(tree.ids()[f], tree.ids()[g], doubtful[s])) proper = false;
+                                });
       }
     });
     if (proper) doubtful_ = grid::joined(doubtful);
