@@ -418,16 +418,22 @@ Json result_json(const Session& session, const Operands& operands, const std::op
   return object;
 }
 
-/// Prints the object with --json, otherwise the text; the counters of --stats follow.
+/// The last thing that a command does: prints the object with --json, otherwise the text; the counters of --stats
+/// follow.
 Result<void> say(const Arguments& a, Json object, const std::string& text) {
+  Result<void> said = {};
   if (a.json) {
     if (a.stats) object["statistics"] = statistics_json();
-    return print(object);
+    said = print(object);
+  } else {
+    const std::string all = text + (a.stats ? statistics_text() : "");
+    if (a.writes_to_stdout())
+      std::fputs(all.c_str(), stderr);
+    else
+      said = print(all);
   }
-  const std::string all = text + (a.stats ? statistics_text() : "");
-  if (!a.writes_to_stdout()) return print(all);
-  std::fputs(all.c_str(), stderr);
-  return {};
+  if (said) note_answered();
+  return said;
 }
 
 Result<void> run_info(Session& session) {

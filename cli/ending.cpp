@@ -20,6 +20,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 std::atomic<bool> print_json{false};
 std::atomic<bool> something_is_written{false};
+std::atomic<bool> all_is_said{false};
 
 void put(int descriptor, const char* text) {
   // Nothing can be done here about a failed write.
@@ -81,7 +82,10 @@ std::vector<std::string>& written() {
 
 void end_with_json(bool json) { print_json = json; }
 
+void note_answered() { all_is_said = true; }
+
 void end_at_once(ErrorCode code, const char* sentence, ExitCode exit_code) {
+  if (all_is_said.load() && exit_code != exit_defect) ::_exit(exit_done);
   const bool written = something_is_written.load();
   put(STDERR_FILENO, written ? "quoin: the output is written, but: " : "quoin: ");
   put(STDERR_FILENO, sentence);

@@ -11,8 +11,12 @@ namespace quoin::cli {
 
 enum ExitCode { exit_done = 0, exit_refused = 1, exit_usage = 2, exit_defect = 3, exit_interrupted = 130 };
 
-/// With `json`, `end_at_once` also prints an error object on stdout.
+/// With `json`, `end_at_once` also prints an error object on stdout. Precondition for that: nothing is there yet.
 void end_with_json(bool json);
+
+/// The outputs are in place and the answer is printed: what is left is to release memory, which may need some (a JSON
+/// object is taken apart by a list). From now on `end_at_once` ends in success, but for a defect.
+void note_answered();
 
 /// Ends the process with an exit code and one sentence, for handlers: it allocates nothing and calls what is
 /// async-signal-safe alone. Once an output is in place the sentence says that first, stdout stays as it is, and the

@@ -340,6 +340,7 @@ std::size_t peak_memory() {
 Result<void> print(const std::string& text) {
   // What comes after a part would not be understood.
   static bool has_failed = false;
+  end_with_json(false);
   errno = 0;
   const bool whole = !has_failed && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (std::fflush(stdout) == 0 && whole) return {};
