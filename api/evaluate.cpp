@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "api/access.h"
-#include "api/common_grid.h"
+#include "api/doors/common_grid.h"
 #include "api/flatten.h"
 #include "api/run.h"
 #include "booleans/body/locate.h"

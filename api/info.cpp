@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "api/access.h"
+#include "api/doors/surface.h"
 #include "api/run.h"
-#include "api/surface.h"
 #include "booleans/body/measure.h"
 
 namespace quoin {

@@ -8,7 +8,7 @@
 
 #include "fuzz/law.h"
 #include "io/quoin.h"
-#include "tests/api/quoin_damage.h"
+#include "tests/api/doors/quoin_damage.h"
 
 namespace quoin::fuzz {
 namespace {

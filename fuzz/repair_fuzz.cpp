@@ -8,7 +8,7 @@
 
 #include "fuzz/law.h"
 #include "quoin/quoin.h"
-#include "tests/api/damaged_meshes.h"
+#include "tests/api/doors/damaged_meshes.h"
 
 namespace quoin::fuzz {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/placed.h"
+#include "api/doors/placed.h"
 #include "fuzz/law.h"
 #include "io/mesh.h"
 

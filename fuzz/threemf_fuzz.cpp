@@ -1,7 +1,7 @@
 /// \file
 /// Laws of 3MF files. Bytes that begin as XML does are the model of a package, others the package itself.
 #include "fuzz/scene_law.h"
-#include "tests/io/package.h"
+#include "tests/io/packages/package.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);

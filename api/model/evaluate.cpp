@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "api/common_grid.h"
-#include "api/import.h"
+#include "api/doors/common_grid.h"
+#include "api/doors/import.h"
 #include "api/model/gather.h"
 #include "api/model/primitive.h"
 #include "api/run.h"

@@ -1,5 +1,5 @@
 #include "tests/cli/support.h"
-#include "tests/io/package.h"
+#include "tests/io/packages/package.h"
 
 namespace quoin::cli_test {
 namespace {

@@ -1,7 +1,7 @@
-#include "tests/io/package.h"
+#include "tests/io/packages/package.h"
 
-#include "io/assembly.h"
 #include "io/formats.h"
+#include "io/packages/assembly.h"
 #include "tests/io/io_support.h"
 
 namespace quoin::io {

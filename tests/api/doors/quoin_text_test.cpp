@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "tests/api/quoin_damage.h"
+#include "tests/api/doors/quoin_damage.h"
 #include "tests/api/solids.h"
 
 namespace quoin::api_test {

@@ -1,4 +1,4 @@
-#include "io/assembly.h"
+#include "io/packages/assembly.h"
 
 namespace quoin::io {
 namespace {

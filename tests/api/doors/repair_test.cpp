@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "tests/api/damaged_meshes.h"
+#include "tests/api/doors/damaged_meshes.h"
 #include "tests/api/fractions.h"
 #include "tests/api/solids.h"
 

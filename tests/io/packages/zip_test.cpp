@@ -1,4 +1,4 @@
-#include "io/zip.h"
+#include "io/packages/zip.h"
 
 #include <zlib.h>
 

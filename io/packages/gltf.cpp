@@ -9,16 +9,16 @@
 #include <optional>
 #include <utility>
 
-#include "io/assembly.h"
 #include "io/formats.h"
 #include "io/json.h"
+#include "io/packages/assembly.h"
 #include "io/scanner.h"
 #include "io/text_output.h"
 
 namespace quoin::io {
 namespace {
 
-constexpr std::string_view magic = "glTF";
+constexpr std::string_view glb_magic = "glTF";
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 /// Points and corners that meshes may come to together: they may share their arrays, so that the file does not bound
 /// them.
@@ -44,7 +44,7 @@ Result<Chunks> chunks_of(std::string_view bytes) {
   const auto fault = [](ErrorCode code, const char* what, std::size_t at) {
     return Error{code, what, {}, "byte " + std::to_string(at)};
   };
-  if (!bytes.starts_with(magic)) return Chunks{bytes, {}};
+  if (!bytes.starts_with(glb_magic)) return Chunks{bytes, {}};
   if (bytes.size() < 20) return fault(ErrorCode::truncated, "the file ends within its header", bytes.size());
   if (word_at(bytes, 4) != 2) return fault(ErrorCode::unknown_format, "only version 2 of glTF is read", 4);
   if (word_at(bytes, 8) > bytes.size()) return fault(ErrorCode::truncated, "the file is shorter than it says", 8);
@@ -64,7 +64,7 @@ Result<Chunks> chunks_of(std::string_view bytes) {
   return chunks;
 }
 
-constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 std::optional<std::string> from_base64(std::string_view text) {
   while (text.ends_with('=')) text.remove_suffix(1);
@@ -73,7 +73,7 @@ std::optional<std::string> from_base64(std::string_view text) {
   std::uint32_t bits = 0;
   int count = 0;
   for (const char c : text) {
-    const std::size_t digit = digits.find(c);
+    const std::size_t digit = base64_digits.find(c);
     if (digit == std::string_view::npos) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     count += 6;
@@ -91,7 +91,8 @@ std::string to_base64(std::string_view bytes) {
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 3; ++k)
       bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out.push_back(i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63]);
+    for (std::size_t k = 0; k < 4; ++k)
+      out.push_back(i + k > bytes.size() ? '=' : base64_digits[bits >> (18 - 6 * k) & 63]);
   }
   return out;
 }
@@ -559,7 +560,7 @@ std::string json_of(std::span<const double> points, std::span<const std::uint32_
 
 }  // namespace
 
-bool looks_like_glb(std::string_view bytes) { return bytes.starts_with(magic); }
+bool looks_like_glb(std::string_view bytes) { return bytes.starts_with(glb_magic); }
 
 bool looks_like_gltf(std::string_view bytes) {
   const std::size_t at = bytes.find_first_not_of(" \t\r\n");
@@ -581,7 +582,7 @@ std::string write_glb(std::span<const double> points, std::span<const std::uint3
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::string buffer = triangles.empty() ? std::string() : buffer_of(points, triangles);
 
-  std::string out(magic);
+  std::string out(glb_magic);
   append_word(out, 2);
   append_word(out, static_cast<std::uint32_t>(12 + 8 + json.size() + (buffer.empty() ? 0 : 8 + buffer.size())));
   append_word(out, static_cast<std::uint32_t>(json.size()));

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "api/access.h"
-#include "api/import.h"
+#include "api/doors/import.h"
 #include "grid/common_lattice.h"
 
 namespace quoin {

@@ -1,4 +1,4 @@
-#include "io/xml.h"
+#include "io/packages/xml.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "api/common_grid.h"
+#include "api/doors/common_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "api/access.h"
+#include "api/doors/surface.h"
 #include "api/run.h"
-#include "api/surface.h"
 #include "booleans/body/measure.h"
 #include "booleans/mended.h"
 #include "booleans/pairs/box_tree.h"

@@ -1,4 +1,4 @@
-#include "api/placed.h"
+#include "api/doors/placed.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 #include <set>
 #include <utility>
 
-#include "io/assembly.h"
 #include "io/formats.h"
+#include "io/packages/assembly.h"
+#include "io/packages/xml.h"
+#include "io/packages/zip.h"
 #include "io/text_output.h"
-#include "io/xml.h"
-#include "io/zip.h"
 
 namespace quoin::io {
 namespace {

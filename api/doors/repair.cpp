@@ -1,4 +1,4 @@
-#include "api/repair.h"
+#include "api/doors/repair.h"
 
 #include "exact/rational.h"
 

@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "api/access.h"
-#include "api/common_grid.h"
+#include "api/doors/common_grid.h"
+#include "api/doors/import.h"
+#include "api/doors/placed.h"
 #include "api/evaluate.h"
-#include "api/import.h"
-#include "api/placed.h"
 #include "api/run.h"
 #include "io/formats.h"
 #include "io/mesh.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/zip.h"
+#include "io/packages/zip.h"
 
 namespace quoin::io::test {
 

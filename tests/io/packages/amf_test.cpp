@@ -1,5 +1,5 @@
 #include "io/formats.h"
-#include "io/zip.h"
+#include "io/packages/zip.h"
 
 #include "tests/io/io_support.h"
 

@@ -1,4 +1,4 @@
-#include "api/surface.h"
+#include "api/doors/surface.h"
 
 #include "booleans/surface/separated.h"
 #include "booleans/surface/shells.h"

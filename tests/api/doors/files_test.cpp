@@ -11,10 +11,10 @@
 #include <set>
 
 #include "io/quoin.h"
+#include "tests/api/doors/quoin_damage.h"
 #include "tests/api/fractions.h"
-#include "tests/api/quoin_damage.h"
 #include "tests/api/solids.h"
-#include "tests/io/package.h"
+#include "tests/io/packages/package.h"
 
 namespace quoin::api_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/import.h"
+#include "api/doors/import.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "api/access.h"
-#include "api/repair.h"
+#include "api/doors/repair.h"
 #include "api/run.h"
 #include "booleans/dropped_shells.h"
 #include "booleans/resolve.h"
