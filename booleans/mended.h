@@ -2,6 +2,7 @@
 /// Rounded meshes that became invalid are mended.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -25,17 +26,24 @@ struct Mended {
 };
 
 /// The lattice of numbers for a box in model units, all of whose points around the box the format holds: the finest
-/// step, a power of two, with at most 2^24 (float32) or 2^28 (doubles) steps from the origin, doubled `coarser` times.
-/// The origin is 0 unless a box of doubles lies far from it for its size.
-/// Law: where the step is more than twice the largest coordinate, all points of the box go to 0.
-grid::Lattice lattice_of_numbers(const std::array<double, 3>& low, const std::array<double, 3>& high, Floats floats,
-                                 int coarser);
+/// step, a power of two, with at most 2^24 (float32) or 2^28 (doubles) steps from the origin. The origin is 0 unless a
+/// box of doubles lies far from it for its size.
+grid::Lattice lattice_of_numbers(const std::array<double, 3>& low, const std::array<double, 3>& high, Floats floats);
+
+/// Where the lattice is taken coarser.
+struct Coarsening {
+  /// By point: does trouble remain there? Empty: nowhere.
+  std::span<const std::uint8_t> troubled;
+  /// A point that has a troubled one within 2^level steps, and perhaps one within twice that, goes to a multiple of
+  /// 2^level steps; 0: none does. From 30 on all points go to the origin of the lattice if any is troubled.
+  int level = 0;
+};
 
 /// The points of winding number > 0 of a closed mesh that is snapped to the lattice of numbers for its box.
 /// It differs from the mesh at points within `most` of the surface only: on the way of the points to the lattice the
 /// surface passes nothing else. Nothing may be left.
 /// Errors: "cancelled"; those of grid::import_triangles for a mesh that is not closed.
 Result<Mended> mended(std::span<const double> points, std::span<const std::uint32_t> triangles, Floats floats,
-                      int coarser, const Run& run = {});
+                      const Coarsening& coarsening, const Run& run = {});
 
 }  // namespace quoin::booleans

@@ -53,8 +53,9 @@ inline constexpr double area_roundings = 5;  // docs/proofs/area_filter.g
 inline constexpr double effect_bound = 16;       // docs/proofs/effect_filter.g
 inline constexpr double effect_floor = 0x1p-60;  // docs/proofs/effect_filter.g
 
-/// `moving_orientation`: unit roundoffs, of the product of the rows' largest components.
-inline constexpr double moving_bound = 64;  // docs/proofs/moving_filter.g
+/// `MovingPlane` and `moving_turn`: unit roundoffs, of the product of the rows' largest components.
+inline constexpr double moving_bound = 64;      // docs/proofs/moving_filter.g
+inline constexpr double moving_turn_bound = 8;  // docs/proofs/moving_turn.g
 
 /// `MapFilter`: unit roundoffs, of the sum of the terms' magnitudes; what is added, of 1 and the factors' magnitudes.
 inline constexpr double map_bound = 8;          // docs/proofs/map_filter.g

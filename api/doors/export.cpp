@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "api/access.h"
@@ -8,7 +7,7 @@
 #include "api/run.h"
 #include "booleans/body/measure.h"
 #include "booleans/mended.h"
-#include "booleans/pairs/box_tree.h"
+#include "booleans/surface/detail.h"
 #include "booleans/surface/rounded.h"
 #include "booleans/surface/separated.h"
 #include "booleans/surface/valid.h"
@@ -75,13 +74,13 @@ std::optional<Draft> valid_draft(const Body& body, const grid::Lattice& lattice,
 }
 
 /// Mends a draft of a body: its numbers are snapped to a lattice of numbers and resolved, until what comes out can be
-/// rounded validly; the lattice becomes coarser when it does not.
-/// It ends: at the latest where all points go to 0 and nothing is left.
+/// rounded validly. Where points remain that rounding moves, the lattice becomes coarser from round to round.
+/// It ends: at the latest where all points go to one and nothing is left.
 /// Not valid only where a solid was trusted that is none, or cannot be resolved.
 /// Errors: "cancelled".
 Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, Draft draft,
                        const Cancel* cancel) {
-  constexpr int finest_rounds = 4;
+  constexpr int finest_rounds = 2, faster = 2;
   const Floats floats = floats_of(options);
   Mending all;
   all.most = draft.moves.most;
@@ -95,8 +94,9 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
   }
 
   for (int round = 1;; ++round) {
-    const int coarser = std::max(0, round - finest_rounds);
-    auto next = booleans::mended(draft.points, draft.mesh.corners, floats, coarser, {.cancel = cancel});
+    auto next =
+        booleans::mended(draft.points, draft.mesh.corners, floats,
+                         {draft.moves.moved, std::max(0, faster * (round - finest_rounds))}, {.cancel = cancel});
     if (!next && next.error().code == ErrorCode::cancelled) return next.error();
     if (!next) break;
     ++all.rounds;
@@ -117,66 +117,6 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
   }
   all.draft = drafted(body, lattice, floats, options.topology);
   return all;
-}
-
-/// Where an output vertex is, about, grid steps.
-std::array<double, 3> place_of(const Body& body, const Triangulated& mesh, std::uint32_t v) {
-  if (v < mesh.source.size()) return body.approximation(mesh.source[v]);
-  const auto& p = mesh.added[v - mesh.source.size()];
-  return {exact::to_double(p[0]), exact::to_double(p[1]), exact::to_double(p[2])};
-}
-
-double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
-  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-  return x * x + y * y + z * z;
-}
-
-/// The least squared distance of two different places, if that is below `reach` squared; all in grid steps.
-double least_gap(const std::vector<std::array<double, 3>>& places, double reach) {
-  if (!(reach < exact::world / 2)) return 0;
-  booleans::Array<booleans::BoxTree::Item> items(places.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    items[i] = {{}, i, 0};
-    items[i].box.add(places[i]);
-  }
-  const booleans::BoxTree tree(items);
-
-  double least = reach * reach;
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    booleans::Box around;
-    const auto look_near = [&] {
-      around = items[i].box;
-      const auto pad = static_cast<std::int32_t>(std::sqrt(least)) + 1;
-      for (std::size_t k = 0; k < 3; ++k) {
-        around.low[k] -= pad;
-        around.high[k] += pad;
-      }
-    };
-    look_near();
-    tree.meeting(around, [&](std::uint32_t j) {
-      const double gap = squared_distance(places[i], places[j]);
-      if (j <= i || gap == 0 || gap >= least) return;
-      least = gap;
-      look_near();
-    });
-  }
-  return least < reach * reach ? least : std::numeric_limits<double>::infinity();
-}
-
-/// The least distance of two vertices as ExportReport says, model units.
-double least_detail(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, double moved) {
-  std::vector<std::array<double, 3>> places(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < places.size(); ++v) places[v] = place_of(body, mesh, v);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    grid::for_loop_edges(mesh.triangle(t), [&](std::uint32_t u, std::uint32_t v) {
-      // The triangle on the other side has the edge, too.
-      if (u < v) least = std::min(least, squared_distance(places[u], places[v]));
-    });
-
-  const double step = exact::to_double(lattice.step), reach = ExportReport::detail_factor * moved / step;
-  if (std::sqrt(least) > reach) least = std::min(least, least_gap(places, reach));
-  return std::isfinite(least) ? std::sqrt(least) * step : 0;
 }
 
 /// The first vertex whose numbers are infinite, as the place of an error.
@@ -266,7 +206,8 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& own, const ExportOp
   Mending result;
   result.most = draft.moves.most;
   result.is_valid = wants_proof && is_valid(body, lattice, floats, draft);
-  const double detail = report && result.most > 0 ? least_detail(body, draft.mesh, lattice, result.most) : 0;
+  const double reach = ExportReport::detail_factor * result.most;
+  const double detail = report && reach > 0 ? booleans::least_detail(body, draft.mesh, lattice, reach) : 0;
 
   if (wants_proof && !result.is_valid) {
     if (!begin("mend", 0.8)) return cancelled;

@@ -15,11 +15,11 @@ namespace quoin::booleans {
 /// body.
 ///
 /// Method: let all vertices move straight to their rounded places. Two triangles that never meet out of place on the
-/// way are as good after it as before. For most that is seen by a plane that parts them all the time: signs of
-/// determinants that have no zero while each coordinate is within its rounding error. The few other pairs are examined
-/// where they ended, in rationals; and since they may have passed through each other, a ray from each component that
-/// one of them belongs to finds the winding number outside it. Components are joined by edges of two triangles: where
-/// nothing crosses, the number is the same all along one.
+/// way are as good after it as before. For those of one star that is mostly seen at once (`steady_stars`), for most
+/// others by a plane that parts them all the time: signs of determinants that have no zero while each coordinate is
+/// within its rounding error. The few other pairs are examined where they ended, in rationals; and since they may have
+/// passed through each other, a ray from each component that one of them belongs to finds the winding number outside
+/// it. Components are joined by edges of two triangles: where nothing crosses, the number is the same all along one.
 bool is_valid(const Body& body, const Triangulated& mesh, Floats floats, const grid::Lattice& lattice,
               const std::vector<double>& points, const Moves& moves);
 

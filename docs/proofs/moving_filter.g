@@ -1,5 +1,5 @@
-# Proves the rounding error of the determinants of `MovingTriangles` in booleans/surface/valid.cpp: with u = 2^-53 and
-# rows whose largest components are A, B and C,
+# Proves the rounding error of the determinants of `MovingPlane` in booleans/surface/moving_triangles.cpp: with
+# u = 2^-53 and rows whose largest components are A, B and C,
 #   |value - det| <= (moving_bound u) A B C.
 # The unit is A B C: components are at most 1. a .. f: the products of the second and the third row, whose roundings are
 # p1 .. p6; d1 .. d3: differences, q1 .. q3: products by the first row, s1, s2: sums; each by rounding.g.

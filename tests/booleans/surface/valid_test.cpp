@@ -56,5 +56,47 @@ TEST(IsValid, AgreesWithBruteForce) {
   EXPECT_GT(invalid, 0u);
 }
 
+/// Is the body valid when its points are rounded?
+bool is_rounded_validly(const Body& body, const grid::Lattice& lattice, Floats floats) {
+  const Triangulated mesh = triangulated(body);
+  const auto points = rounded_points(body, mesh, lattice, floats);
+  return is_valid(body, mesh, floats, lattice, points, moves(body, mesh, lattice, floats, points));
+}
+
+/// Tenths, about a point where floats are 2 apart.
+grid::Lattice tenths_where_floats_are_even() {
+  grid::Lattice lattice;
+  lattice.step = Rational(1, 10);
+  for (Rational& x : lattice.origin) x = 1 << 24;
+  return lattice;
+}
+
+// A wall through even points stays. A small shell outside moves by 0.9 along each axis, through the wall: no triangles
+// meet, before or after, but then it is inside.
+TEST(IsValid, AShellThatPassesThroughAWall) {
+  const auto even = [](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t tenths) {
+    return Vector{20 * x + tenths, 20 * y + tenths, 20 * z + tenths};
+  };
+  const Body wall = *tetrahedron({even(0, 0, 0, 0), even(20, 0, 0, 0), even(0, 15, 0, 0), even(0, 0, 12, 0)});
+  const auto shell = [&](std::int64_t tenths) {
+    return *tetrahedron({even(4, 6, 4, tenths), even(7, 4, 4, tenths), even(5, 3, 6, tenths), even(6, 5, 4, tenths)});
+  };
+  const Body apart = any(wall, shell(9));
+  ASSERT_EQ(apart.face_count(), 8u);
+  EXPECT_FALSE(is_rounded_validly(apart, tenths_where_floats_are_even(), Floats::float32));
+  EXPECT_TRUE(is_rounded_validly(apart, tenths_where_floats_are_even(), Floats::float64));
+
+  // A void that stays inside is one.
+  EXPECT_TRUE(is_rounded_validly(minus(wall, shell(0)), tenths_where_floats_are_even(), Floats::float32));
+}
+
+// A pyramid rounds flat. Its base covers the other faces, each across an edge; none is flipped or has no area.
+TEST(IsValid, APyramidThatRoundsFlat) {
+  const Body flat = *tetrahedron({Vector{0, 0, 0}, Vector{200, 0, 0}, Vector{0, 0, 200}, Vector{60, 9, 60}});
+  EXPECT_FALSE(is_rounded_validly(flat, tenths_where_floats_are_even(), Floats::float32));
+  const Body high = *tetrahedron({Vector{0, 0, 0}, Vector{200, 0, 0}, Vector{0, 0, 200}, Vector{60, 11, 60}});
+  EXPECT_TRUE(is_rounded_validly(high, tenths_where_floats_are_even(), Floats::float32));
+}
+
 }  // namespace
 }  // namespace quoin::booleans::testing
