@@ -21,7 +21,7 @@ using AreaVector = std::array<int128, 3>;
 constexpr int planar_squared = 16;
 
 void add_cross(AreaVector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
-  const Vector area = cross(between(p, q), between(p, r));
+  const GridVector area = cross(between(p, q), between(p, r));
   for (std::size_t k = 0; k < 3; ++k) sum[k] += area[k];
 }
 int128 absolute(int128 v) { return v < 0 ? -v : v; }

@@ -55,12 +55,12 @@ class Turns {
 /// The triangles at an edge, in their order around it.
 Array<EdgeUse> around(const Surface& surface, std::span<const EdgeUse> edge) {
   const GridPoint& origin = surface.points[edge[0].low];
-  const Vector axis = between(origin, surface.points[edge[0].high]);
+  const GridVector axis = between(origin, surface.points[edge[0].high]);
   const auto arm = [&](const EdgeUse& use) {
     return between(origin, surface.points[surface.triangles[use.triangle()][(use.half % 3 + 2) % 3]]);
   };
   // Half planes through the edge, by the normals that they turn from the first one's.
-  const Vector start = cross(axis, arm(edge[0]));
+  const GridVector start = cross(axis, arm(edge[0]));
   const auto is_in_second_half = [&](const EdgeUse& use) {
     const int128 side = dot(start, arm(use));
     return side < 0 || (side == 0 && dot(start, cross(axis, arm(use))) < 0);

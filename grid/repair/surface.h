@@ -77,20 +77,20 @@ inline std::int64_t excess(std::span<const EdgeUse> edge) {
 }
 
 /// From one grid point to another, components at most 2^30; or a product of two of those, at most 2^61.
-using Vector = std::array<std::int64_t, 3>;
+using GridVector = std::array<std::int64_t, 3>;
 
-inline Vector between(const exact::GridPoint& p, const exact::GridPoint& q) {
+inline GridVector between(const exact::GridPoint& p, const exact::GridPoint& q) {
   return {std::int64_t{q[0]} - p[0], std::int64_t{q[1]} - p[1], std::int64_t{q[2]} - p[2]};
 }
-inline Vector cross(const Vector& u, const Vector& v) {
+inline GridVector cross(const GridVector& u, const GridVector& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
-inline exact::int128 dot(const Vector& u, const Vector& v) {
+inline exact::int128 dot(const GridVector& u, const GridVector& v) {
   return exact::int128(u[0]) * v[0] + exact::int128(u[1]) * v[1] + exact::int128(u[2]) * v[2];
 }
 
 inline exact::int128 squared_distance(const exact::GridPoint& p, const exact::GridPoint& q) {
-  const Vector v = between(p, q);
+  const GridVector v = between(p, q);
   return dot(v, v);
 }
 

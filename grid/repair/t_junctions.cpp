@@ -45,7 +45,7 @@ class Joiner {
  private:
   Array<Beside> vertices_beside(const EdgeUse& edge) const {
     const GridPoint &a = surface_.points[edge.from()], &b = surface_.points[edge.to()];
-    const Vector along = between(a, b);
+    const GridVector along = between(a, b);
     const auto squared_length = static_cast<std::int64_t>(dot(along, along));  // below 2^62
     NearPoints::Corner low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -56,10 +56,10 @@ class Joiner {
     Array<Beside> found;
     tree_.in_box(low, high, [&](std::uint32_t v) {
       if (v == edge.low || v == edge.high) return;
-      const Vector to = between(a, surface_.points[v]);
+      const GridVector to = between(a, surface_.points[v]);
       const auto place = static_cast<std::int64_t>(dot(along, to));
       if (place <= 0 || place >= squared_length) return;
-      const Vector normal = cross(along, to);
+      const GridVector normal = cross(along, to);
       const int128 squared = dot(normal, normal);
       if (!reach_.holds(squared, squared_length)) return;
       if (reach_.is_careful() && !is_clear(squared, squared_length, v)) return;

@@ -22,7 +22,7 @@ constexpr std::string_view material_space = "http://schemas.microsoft.com/3dmanu
 constexpr std::string_view model_relationship = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::string_view relationships_part = "_rels/.rels", model_part = "3D/3dmodel.model";
 
-enum class State {
+enum class ModelState {
   outside,
   model,
   resources,
@@ -40,29 +40,29 @@ enum class State {
 };
 
 struct Transition {
-  State from;
+  ModelState from;
   std::string_view name;
-  State to;
+  ModelState to;
 };
-constexpr std::array<Transition, 12> transitions = {{{State::outside, "model", State::model},
-                                                     {State::model, "resources", State::resources},
-                                                     {State::model, "build", State::build},
-                                                     {State::resources, "object", State::object},
-                                                     {State::object, "mesh", State::mesh},
-                                                     {State::object, "components", State::components},
-                                                     {State::mesh, "vertices", State::vertices},
-                                                     {State::mesh, "triangles", State::triangles},
-                                                     {State::vertices, "vertex", State::vertex},
-                                                     {State::triangles, "triangle", State::triangle},
-                                                     {State::components, "component", State::component},
-                                                     {State::build, "item", State::item}}};
+constexpr std::array<Transition, 12> transitions = {{{ModelState::outside, "model", ModelState::model},
+                                                     {ModelState::model, "resources", ModelState::resources},
+                                                     {ModelState::model, "build", ModelState::build},
+                                                     {ModelState::resources, "object", ModelState::object},
+                                                     {ModelState::object, "mesh", ModelState::mesh},
+                                                     {ModelState::object, "components", ModelState::components},
+                                                     {ModelState::mesh, "vertices", ModelState::vertices},
+                                                     {ModelState::mesh, "triangles", ModelState::triangles},
+                                                     {ModelState::vertices, "vertex", ModelState::vertex},
+                                                     {ModelState::triangles, "triangle", ModelState::triangle},
+                                                     {ModelState::components, "component", ModelState::component},
+                                                     {ModelState::build, "item", ModelState::item}}};
 
 /// Elements that are not of the core, or not where it has them, are passed over with what is in them.
-State state_within(State from, const XmlElement& element) {
-  if (element.space() != core_space) return State::other;
+ModelState state_within(ModelState from, const XmlElement& element) {
+  if (element.space() != core_space) return ModelState::other;
   for (const Transition& transition : transitions)
     if (transition.from == from && transition.name == element.name()) return transition.to;
-  return State::other;
+  return ModelState::other;
 }
 
 /// An object by the part that holds it and its number there.
@@ -95,27 +95,27 @@ class ModelReader : public XmlHandler {
   }
 
   bool open(const XmlElement& element) override {
-    const State from = states_.empty() ? State::outside : states_.back();
-    const State state = from == State::other ? State::other : state_within(from, element);
+    const ModelState from = states_.empty() ? ModelState::outside : states_.back();
+    const ModelState state = from == ModelState::other ? ModelState::other : state_within(from, element);
     states_.push_back(state);
     switch (state) {
-      case State::model:
+      case ModelState::model:
         return model(element);
-      case State::object:
+      case ModelState::object:
         return object(element);
-      case State::mesh:
+      case ModelState::mesh:
         return mesh();
-      case State::vertex:
+      case ModelState::vertex:
         return vertex(element);
-      case State::triangle:
+      case ModelState::triangle:
         return triangle(element);
-      case State::component:
+      case ModelState::component:
         return reference(element, package_.components.back());
-      case State::item:
+      case ModelState::item:
         // Only the part that the package names as its model builds.
         return !is_root_ || reference(element, package_.items);
-      case State::other:
-        return from != State::outside || fail(ErrorCode::bad_syntax, "this is no model of 3MF");
+      case ModelState::other:
+        return from != ModelState::outside || fail(ErrorCode::bad_syntax, "this is no model of 3MF");
       default:
         return true;
     }
@@ -240,7 +240,7 @@ class ModelReader : public XmlHandler {
   std::string part_;
   bool is_root_;
   bool is_solid_ = true;
-  std::vector<State> states_;
+  std::vector<ModelState> states_;
   std::map<std::string, std::string> spaces_;
 };
 
