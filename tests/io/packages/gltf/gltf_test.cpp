@@ -2,54 +2,20 @@
 
 #include "io/json.h"
 #include "tests/io/io_support.h"
+#include "tests/io/packages/gltf/documents.h"
 
 namespace quoin::io {
 namespace {
 
-std::string word(std::uint32_t value) {
-  std::string out;
-  for (int i = 0; i < 4; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-  return out;
-}
-
-std::string bytes_of(const std::vector<float>& values) {
-  std::string out;
-  for (const float v : values) out += word(std::bit_cast<std::uint32_t>(v));
-  return out;
-}
-
-std::string glb(std::string json, const std::string& binary) {
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  return "glTF" + word(2) + word(static_cast<std::uint32_t>(28 + json.size() + binary.size())) +
-         word(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
-         word(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
-}
-
-/// Four points, and the indices of a tetrahedron in 16 bits.
-std::string tetrahedron_buffer() {
-  std::string out = bytes_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
-  for (const char i : {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}) out += std::string{i, '\0'};
-  return out;
-}
-
-/// A document of that buffer; `nodes` and what else the root has are given.
-std::string document(const std::string& nodes, const std::string& primitive = R"("indices":1)",
-                     const std::string& rest = "", const std::string& buffer = "") {
-  return R"({"asset":{"version":"2.0"},"nodes":[)" + nodes +
-         R"(],"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":0,"NORMAL":0},)" + primitive +
-         R"(}]}],"buffers":[{"byteLength":72)" + buffer + R"(}],"bufferViews":[{"buffer":0,"byteLength":48},)" +
-         R"({"buffer":0,"byteOffset":48,"byteLength":24}],"accessors":[)" +
-         R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)" +
-         R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}])" + rest + "}";
-}
+using test::bytes_of;
+using test::document;
+using test::glb;
+using test::replaced;
+using test::tetrahedron_buffer;
+using test::word;
 
 std::string code_of_document(const std::string& json) {
   return test::code_of(glb(json, tetrahedron_buffer()), Format::glb);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  EXPECT_NE(text.find(from), std::string::npos) << from;
-  return text.replace(text.find(from), from.size(), to);
 }
 
 /// Floats come back to the bit; the points are shared.
