@@ -17,6 +17,8 @@ namespace quoin::io {
 namespace {
 
 constexpr std::string_view core_space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+/// The draft of 2013 has the same meshes, components and items; its colours have other names.
+constexpr std::string_view draft_space = "http://schemas.microsoft.com/3dmanufacturing/2013/01";
 constexpr std::string_view production_space = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 constexpr std::string_view material_space = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
 constexpr std::string_view slice_space = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
@@ -64,10 +66,17 @@ constexpr std::array<Transition, 12> transitions = {{{State::outside, "model", S
 
 /// Elements that are not of the core, or not where it has them, are passed over with what is in them.
 State state_within(State from, const XmlElement& element) {
-  if (element.space() != core_space) return State::other;
+  if (element.space() != core_space && element.space() != draft_space) return State::other;
   for (const Transition& transition : transitions)
     if (transition.from == from && transition.name == element.name()) return transition.to;
   return State::other;
+}
+
+/// Whether an object or triangle has colours or materials.
+bool is_painted(const XmlElement& element) {
+  constexpr std::array<std::string_view, 4> names = {"pid", "p1", "materialid", "colorid"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view name) { return element.attribute(name).has_value(); });
 }
 
 /// An object by the part that holds it and its number there.
@@ -161,7 +170,8 @@ class ModelReader : public XmlHandler {
   /// Counts what an extension adds to shapes.
   void extension(const XmlElement& element) {
     const auto space = element.space();
-    if (space != core_space && space != material_space && space != set_space) ++package_.extensions;
+    if (space != core_space && space != draft_space && space != material_space && space != set_space)
+      ++package_.extensions;
   }
 
   bool object(const XmlElement& element) {
@@ -178,7 +188,7 @@ class ModelReader : public XmlHandler {
     const auto type = element.attribute("type").value_or("model");
     is_solid_ = type == "model" || type == "solidsupport";
     if (!is_solid_) ++package_.no_solids;
-    if (element.attribute("pid")) ++package_.properties;
+    if (is_painted(element)) ++package_.properties;
     AssemblyNode made;
     made.name = element.attribute("name").value_or("");
     made.place = (is_root_ ? "" : part_ + ", ") + "object " + std::to_string(id);
@@ -215,7 +225,7 @@ class ModelReader : public XmlHandler {
       mesh.corners.push_back(vertex);
     }
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    if (element.attribute("pid") || element.attribute("p1")) ++package_.properties;
+    if (is_painted(element)) ++package_.properties;
     return true;
   }
 

@@ -108,6 +108,21 @@ TEST(ThreeMf, ElementsOfExtensionsAreCounted) {
   EXPECT_EQ(scene.value().objects.size(), 2U);
 }
 
+// The draft of 2013, by which old files are written.
+TEST(ThreeMf, TheDraftIsRead) {
+  std::string model =
+      model_text("<color id=\"3\" value=\"#fff\"/>" + object_text(0, tetrahedron_text(), "colorid=\"3\""),
+                 "<item objectid=\"0\"/>", "unit=\"inch\"");
+  const std::string draft = "http://schemas.microsoft.com/3dmanufacturing/2013/01";
+  model.replace(model.find(test::core_space), test::core_space.size(), draft);
+  const auto scene = read_scene(package(model), Format::threemf);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene.value().unit, Unit::inch);
+  EXPECT_EQ(scene.value().meshes[0].corners.size(), 12U);
+  EXPECT_EQ(scene.value().notices,
+            (std::vector<Notice>{{1, "1 group of colours and materials of faces is passed over"}}));
+}
+
 // Slices say what meshes say, unless these are rough.
 TEST(ThreeMf, SlicesBesideMeshes) {
   const std::string space = "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" ";
