@@ -83,6 +83,22 @@ TEST(Gltf, NodesPlaceMeshes) {
   EXPECT_EQ(one.value().objects[0].name, "b");
 }
 
+TEST(Gltf, WhatIsPassedOverIsCounted) {
+  const std::string nodes = R"({"mesh":0,"skin":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{}}}})";
+  const auto scene =
+      read_scene(glb(document(nodes, R"("indices":1,"material":0,"targets":[{"POSITION":0},{"POSITION":0}])"),
+                     tetrahedron_buffer()),
+                 Format::glb);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene.value().notices,
+            (std::vector<Notice>{{1, "1 material is passed over"},
+                                 {1, "1 list of normals, colours or other attributes is passed over"},
+                                 {2, "2 morph targets are passed over"},
+                                 {1, "1 skin is passed over"},
+                                 {1, "1 list of instances is passed over"}}));
+  EXPECT_EQ(scene.value().objects.size(), 1U);
+}
+
 TEST(Gltf, StripsFansAndPlainTriangles) {
   const auto corners = [](const std::string& primitive) {
     const auto mesh = read_mesh(glb(document(R"({"mesh":0})", primitive), tetrahedron_buffer()), Format::glb);
