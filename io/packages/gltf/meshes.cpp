@@ -10,16 +10,17 @@
 namespace quoin::io {
 namespace {
 
-enum Mode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
+/// Modes of primitives that are read.
+constexpr std::uint64_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
 
 /// Of strips every second triangle is turned round, so that all look to one side.
 void append_triangles(std::uint64_t mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
                       PolygonMesh& mesh) {
-  const std::size_t step = mode == triangles ? 3 : 1;
+  const std::size_t step = mode == triangle_list ? 3 : 1;
   for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
     std::array<std::size_t, 3> at = {i, i + 1, i + 2};
-    if (mode == strip && i % 2 == 1) std::swap(at[1], at[2]);
-    if (mode == fan) at[0] = 0;
+    if (mode == triangle_strip && i % 2 == 1) std::swap(at[1], at[2]);
+    if (mode == triangle_fan) at[0] = 0;
     for (const std::size_t k : at) mesh.corners.push_back(first + corners[k]);
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
   }
@@ -62,10 +63,10 @@ std::vector<Notice> GltfMeshes::notices() const {
 
 bool GltfMeshes::primitive(const Json& json) {
   std::uint64_t mode = 0, position = 0;
-  if (!document_.count(json, "mode", triangles, mode)) return false;
+  if (!document_.count(json, "mode", triangle_list, mode)) return false;
   const Json* attributes = json.member("attributes");
   const bool has_positions = attributes != nullptr && attributes->member("POSITION") != nullptr;
-  if (mode < triangles || mode > fan || !has_positions) {
+  if (mode < triangle_list || mode > triangle_fan || !has_positions) {
     ++other_primitives_;
     return true;
   }
@@ -85,7 +86,7 @@ bool GltfMeshes::primitive(const Json& json) {
 
   std::vector<std::uint32_t> list;
   if (!corners(json, points, list)) return false;
-  if (mode == triangles && list.size() % 3 != 0)
+  if (mode == triangle_list && list.size() % 3 != 0)
     return document_.fail(ErrorCode::bad_syntax, "the number of corners of triangles is not a multiple of 3", json);
   append_triangles(mode, list, first->second, *mesh_);
   return true;
