@@ -46,8 +46,8 @@ struct Operands {
   /// That of the numbers, which are all in one.
   Unit unit(const Arguments& a) const {
     if (a.unit) return *a.unit;
-    for (const Source& source : contents)
-      if (source.unit != Unit::none) return source.unit;
+    for (const MeshImport& import : imports)
+      if (import.unit != Unit::none) return import.unit;
     return Unit::none;
   }
   double max_snap() const {
@@ -132,7 +132,7 @@ void say_notices(const std::string& file, const ImportReport& report) {
 /// Says what import could not keep.
 void warn_of_losses(const Arguments& a, const std::vector<MeshImport>& imports) {
   if (a.quiet) return;
-  for (const auto& [file, report] : imports) {
+  for (const auto& [file, report, unit] : imports) {
     say_notices(file, report);
     warn_of_dropped_shells(file, report);
     warn_of_nothing_left(file, report);
@@ -174,7 +174,8 @@ Result<Operands> load(Session& session, Trust trust) {
   }
 
   Operands operands{std::move(solids).value(), {}, std::move(contents)};
-  for (std::size_t i = 0; i < reports.size(); ++i) operands.imports.push_back({a.inputs[i], reports[i]});
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    operands.imports.push_back({a.inputs[i], reports[i], operands.contents[i].unit});
   warn_of_losses(a, operands.imports);
   return operands;
 }
@@ -188,8 +189,9 @@ Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& impor
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
   const auto model = session.times.measure(Stage::read, [&] {
-    return Model::read(path, &imports,
-                       {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below, .limits = a.limits});
+    return Model::read(
+        path, &imports,
+        {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below, .unit = a.unit, .limits = a.limits});
   });
   if (!model) return model.error();
   warn_of_losses(a, imports);
@@ -370,7 +372,7 @@ std::string seconds_text(double seconds) {
 std::string import_summary(const Operands& operands) {
   if (operands.imports.empty()) return {};
   std::string text = "largest snap " + decimal(operands.max_snap()) + "\n";
-  for (const auto& [file, report] : operands.imports) {
+  for (const auto& [file, report, unit] : operands.imports) {
     const auto crossings = report.resolved_crossings;
     if (crossings > 0) text += file + ": resolved crossings " + std::to_string(crossings) + "\n";
   }
@@ -380,7 +382,9 @@ std::string import_summary(const Operands& operands) {
 Json imports_json(const Operands& operands) {
   Json list = Json::array();
   for (std::size_t i = 0; i < operands.imports.size(); ++i) {
-    list.push_back(import_json(operands.imports[i].file, operands.imports[i].report));
+    const MeshImport& import = operands.imports[i];
+    list.push_back(import_json(import.file, import.report));
+    list.back()["unit"] = unit_json(import.unit);
     if (i < operands.contents.size()) add_contents(list.back(), operands.contents[i]);
   }
   return list;

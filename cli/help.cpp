@@ -150,7 +150,8 @@ std::string general_help() {
 
 Units: Quoin takes numbers as they are ("model units", often millimetres) and never scales silently. A unit that a file
   states (3MF, AMF; glTF is in metres) is shown and written again where the format can. Operands that state different
-  units are refused, unless --unit says what to convert to; those that state none are taken to be in it.
+  units, and meshes of one model, are refused, unless --unit says what to convert to; those that state none are taken to
+  be in it, and so are the numbers of a model.
   Volumes are in cubic model units.
 
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power

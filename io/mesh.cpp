@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "io/formats.h"
+#include "io/packages/zip.h"
 
 namespace quoin::io {
 namespace {
@@ -68,12 +69,18 @@ std::string write_mesh(std::span<const double> points, std::span<const std::uint
   return row_of(format).write(points, triangles, unit);
 }
 
+std::uint64_t max_bytes(Format format) {
+  return format == Format::glb       ? max_count
+         : format == Format::threemf ? ZipArchive::max_size
+                                     : std::numeric_limits<std::uint64_t>::max();
+}
+
 bool fits(std::uint64_t points, std::uint64_t triangles, Format format) {
   // Lines of XML: three numbers of up to 24 characters, three indices of up to 10, and their names.
   const std::uint64_t size = format == Format::threemf ? points * 110 + triangles * 70
                              : format == Format::glb   ? points * 12 + triangles * 12
                                                        : 0;
-  return size + 4096 < max_count;
+  return size + 4096 < max_bytes(format);
 }
 
 }  // namespace quoin::io

@@ -50,9 +50,13 @@ struct MatrixStep {
   std::array<double, 12> rows;
   friend bool operator==(const MatrixStep&, const MatrixStep&) = default;
 };
+/// p -> p / by, which numbers of the file may be without being doubles themselves.
+struct DivisionStep {
+  double by;
+};
 inline constexpr MatrixStep identity_step = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 /// How a mesh is placed, as the file states it: steps in the order in which they act. None: as it stands.
-using Placing = std::vector<std::variant<MatrixStep, QuaternionStep, AngleStep>>;
+using Placing = std::vector<std::variant<MatrixStep, QuaternionStep, AngleStep, DivisionStep>>;
 
 /// "24 normals are passed over".
 Notice passed_over(std::uint64_t count, std::string_view one, std::string_view many);
@@ -92,7 +96,7 @@ std::string_view without_byte_order_mark(std::string_view bytes);
 
 /// Reads the bytes of a mesh file as `format_to_read` says.
 /// Never throws but std::bad_alloc; never allocates more than a small multiple of `bytes`, of an archive of what
-/// ZipArchive lets it inflate to.
+/// ZipArchive lets it inflate to, of a glTF of its elements, which meshes may share and need not store (accessors.h).
 /// Points are as in the file, none welded; every STL facet has three points of its own.
 /// Numbers that round to zero are zero; those that round to infinity are not finite.
 /// What stands behind the declared content is refused in OFF and ascii PLY, since the counts are wrong then; behind
@@ -112,7 +116,10 @@ Result<Scene> read_scene(std::string_view bytes, Format named, const Beside& bes
 /// rounding to it too; no more than `fits` says.
 std::string write_mesh(std::span<const double> points, std::span<const std::uint32_t> triangles, Format format,
                        Unit unit = Unit::none);
-/// Whether so many points and triangles fit the format: GLB and archives count bytes in 32 bits.
+/// The most that a file, or a part of its archive, may hold: GLB counts bytes in 32 bits, and of archives no more is
+/// read.
+std::uint64_t max_bytes(Format format);
+/// Whether so many points and triangles surely fit in them.
 bool fits(std::uint64_t points, std::uint64_t triangles, Format format);
 
 /// A whole file; "-" is standard input. Errors: "missing-file", "unreadable", "too-large": a regular file by its size,

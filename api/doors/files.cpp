@@ -9,6 +9,7 @@
 #include "api/doors/common_grid.h"
 #include "api/doors/import.h"
 #include "api/doors/placed.h"
+#include "api/doors/stated_unit.h"
 #include "api/evaluate.h"
 #include "api/run.h"
 #include "io/formats.h"
@@ -181,10 +182,11 @@ Result<void> check_writable(const Mesh& mesh, Format format) {
           "face " + std::to_string(i / 3)};
 
   if (!io::fits(count, mesh.triangles.size() / 3, format))
-    return Error{ErrorCode::out_of_range,
-                 "the format counts bytes in 32 bits, and the mesh needs more",
-                 {},
-                 "vertex " + std::to_string(count)};
+    return Error{
+        ErrorCode::out_of_range,
+        "the mesh may need more than the " + std::to_string(io::max_bytes(format)) + " bytes that the format holds",
+        {},
+        "vertex " + std::to_string(count)};
 
   const bool narrow = info_of(format).is_float32;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
@@ -264,16 +266,9 @@ Result<Solid> imported(const Source& source, const ImportOptions& options, Impor
 
 /// Errors: "mixed-units" where two sources state different units.
 Result<void> check_units(const std::vector<Source>& sources) {
-  const Source* first = nullptr;
-  for (const Source& source : sources) {
-    if (source.unit == Unit::none) continue;
-    if (first == nullptr) first = &source;
-    if (source.unit != first->unit)
-      return Error{ErrorCode::mixed_units,
-                   "the file is in " + std::string(name_of(source.unit)) + ", but " + first->name + " in " +
-                       std::string(name_of(first->unit)) + ": name the unit to convert to",
-                   source.name};
-  }
+  StatedUnit stated;
+  for (const Source& source : sources)
+    if (auto added = stated.add(source.unit, source.name); !added) return added;
   return {};
 }
 

@@ -23,6 +23,12 @@ AffineMap map_of(const io::MatrixStep& step) {
   return map;
 }
 
+AffineMap map_of(const io::DivisionStep& step) {
+  AffineMap map;
+  for (std::size_t k = 0; k < 3; ++k) map.linear[k][k] = Rational(1) / to_rational(step.by);
+  return map;
+}
+
 AffineMap map_of(const io::AngleStep& step) {
   rounding::Vector axis = {0, 0, 0};
   axis[step.axis] = 1;
@@ -72,6 +78,8 @@ Result<AffineMap> map_of(const io::Placing& placing) {
       map = composed(map, map_of(*matrix));
     } else if (const auto* angle = std::get_if<io::AngleStep>(&step)) {
       map = composed(map, map_of(*angle));
+    } else if (const auto* division = std::get_if<io::DivisionStep>(&step)) {
+      map = composed(map, map_of(*division));
     } else {
       const auto& [x, y, z, w] = std::get<io::QuaternionStep>(step).by;
       const auto along = rounding::quaternion_along({to_rational(w), to_rational(x), to_rational(y), to_rational(z)});

@@ -3,6 +3,7 @@
 #include <set>
 #include <system_error>
 
+#include "api/doors/stated_unit.h"
 #include "api/model/formula.h"
 #include "api/model/node.h"
 #include "io/json.h"
@@ -197,6 +198,7 @@ struct Reading {
   const Json* parts;                        // nullptr where it has none
   std::map<std::string, Model> known = {};  // parts that are read
   std::set<std::string> open = {};          // parts that are being read
+  StatedUnit unit = {};                     // of the files that are read
   std::uint64_t depth = 0;                  // of nodes within each other
   static constexpr std::uint64_t deepest = Limits{}.depth;
 };
@@ -336,11 +338,11 @@ std::optional<Error> read_solid(const Json& body, ModelNode& made) {
 }
 
 /// A file that is named again is the same again.
-void note_import(const std::string& path, const ImportReport& report, Reading& reading) {
+void note_import(const std::string& path, const ImportReport& report, Unit unit, Reading& reading) {
   if (!reading.imports) return;
   auto& imports = *reading.imports;
   const auto is_known = [&](const MeshImport& known) { return known.file == path; };
-  if (std::none_of(imports.begin(), imports.end(), is_known)) imports.push_back({path, report});
+  if (std::none_of(imports.begin(), imports.end(), is_known)) imports.push_back({path, report, unit});
 }
 
 /// Whether a name leads out of the folder: by its own words, or by links. What does not exist leads nowhere.
@@ -369,13 +371,20 @@ Result<Model> read_mesh(const Json& json, const Json& body, Reading& reading) {
     return bad(*file, "a model may name files of its folder and below only, not " + quoted(name) +
                           ": --any-path, or ModelFiles::anywhere, allows others");
 
-  ImportReport report;
-  auto solid = quoin::read_solid(path, {.limits = reading.options.limits}, &report);
-  if (!solid) return solid.error();
-  note_import(path, report, reading);
+  const Limits& limits = reading.options.limits;
+  auto source = read_source(path, {}, Trust::nothing, reading.options.unit, limits);
+  if (!source) return source.error();
+  const Unit unit = source.value().unit;
+  if (const auto added = reading.unit.add(unit, path); !added) return added.error();
+  std::vector<Source> one;
+  one.push_back(std::move(source).value());
+  std::vector<ImportReport> reports;
+  auto solids = build(std::move(one), {.limits = limits}, &reports);
+  if (!solids) return solids.error();
+  note_import(path, reports[0], unit, reading);
 
   auto made = node_at(json, ModelKind::solid);
-  made->solid = std::move(solid).value();
+  made->solid = std::move(solids.value()[0]);
   return Access::model(std::move(made));
 }
 

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "quoin/format.h"
 #include "quoin/grid.h"
 #include "quoin/import.h"
 #include "quoin/limits.h"
@@ -29,10 +30,12 @@ namespace quoin {
 /// How a polygon approximates a circle: with its corners on it, its sides touching it, or the same area.
 enum class Fit { inscribed, circumscribed, equal_area };
 
-/// A file that a model's text names, and what import did to its mesh (all zero for an exact solid).
+/// A file that a model's text names, what import did to its mesh (all zero for an exact solid), and the unit of its
+/// numbers.
 struct MeshImport {
   std::string file;
   ImportReport report;
+  Unit unit = Unit::none;
 };
 
 struct ModelOptions {
@@ -56,6 +59,9 @@ enum class ModelFiles {
 
 struct ModelReadOptions {
   ModelFiles files = ModelFiles::below;
+  /// What the numbers of files are converted to that state another unit (quoin/files.h, `read_source`). Without it
+  /// files that state different units are refused. Numbers of the model are in it, or in the unit of the files.
+  std::optional<Unit> unit = {};
   Limits limits = {};
 };
 
@@ -131,8 +137,8 @@ class QUOIN_API Model {
   /// The model as JSON text (docs/model-format.md), without loss: shared subtrees stay shared.
   std::string to_json() const;
   /// Meshes that the text names are read relative to `folder`; `imports`, when given, receives each of their files
-  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), "too-large", and those of
-  /// `read`.
+  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), "too-large", "mixed-units",
+  /// and those of `read`.
   static Result<Model> from_json(std::string_view text, const std::string& folder = ".",
                                  std::vector<MeshImport>* imports = nullptr, const ModelReadOptions& options = {});
   /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,

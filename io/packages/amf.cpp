@@ -82,7 +82,7 @@ class AmfReader : public XmlHandler {
         return true;
       case AmfState::volume:
         meshes.emplace_back();
-        nodes.back().meshes.push_back(static_cast<std::uint32_t>(meshes.size() - 1));
+        nodes.back().meshes.push_back({static_cast<std::uint32_t>(meshes.size() - 1), {}});
         return true;
       case AmfState::instance:
         return instance(element);
@@ -253,7 +253,7 @@ Result<Scene> scene_of(AmfReader& reader) {
     if (is_child[i]) continue;
     const auto walked = walk.visit({i, {}}, [&](const AssemblyNode& node, PlacedMesh placed) {
       // All volumes of an object are one thing.
-      if (placed.mesh == node.meshes.front()) scene.objects.push_back({node.name, {}});
+      if (placed.mesh == node.meshes.front().mesh) scene.objects.push_back({node.name, {}});
       scene.objects.back().meshes.push_back(std::move(placed));
     });
     if (!walked) return walked.error();

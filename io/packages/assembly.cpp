@@ -27,12 +27,14 @@ Result<void> AssemblyWalk::descend(const PlacedNode& placed, const Placing& oute
   // The innermost steps act first.
   Placing placing = placed.placing;
   placing.insert(placing.end(), outer.begin(), outer.end());
-  for (const std::uint32_t mesh : node.meshes) {
-    corners_ += meshes_[mesh].corners.size();
+  for (const PlacedMesh& placed_mesh : node.meshes) {
+    corners_ += meshes_[placed_mesh.mesh].corners.size();
     if (corners_ > max_placed_corners)
       return fault(ErrorCode::absurd_count,
                    "placed meshes have more than " + std::to_string(max_placed_corners) + " corners together", node);
-    emit(node, {mesh, placing});
+    PlacedMesh made = placed_mesh;
+    made.placing.insert(made.placing.end(), placing.begin(), placing.end());
+    emit(node, std::move(made));
   }
 
   is_open_[placed.node] = true;

@@ -22,7 +22,8 @@ struct AssemblyNode {
   std::string name;
   /// Where the file states it, for errors.
   std::string place;
-  std::vector<std::uint32_t> meshes;
+  /// Their own steps act before those of the node.
+  std::vector<PlacedMesh> meshes;
   std::vector<PlacedNode> children;
 };
 

@@ -1,5 +1,5 @@
-// 3MF, core specification 1.3: a package of XML parts. Of the production extension the paths of parts are followed;
-// colours, materials and textures are counted.
+// 3MF, core specification 1.4: a package of XML parts. Of the production extension the paths of parts are followed;
+// colours, materials, textures and what other extensions add are counted.
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -17,8 +17,15 @@ namespace quoin::io {
 namespace {
 
 constexpr std::string_view core_space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+/// The draft of 2013 has the same meshes, components and items; its colours have other names.
+constexpr std::string_view draft_space = "http://schemas.microsoft.com/3dmanufacturing/2013/01";
 constexpr std::string_view production_space = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 constexpr std::string_view material_space = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
+constexpr std::string_view slice_space = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
+constexpr std::string_view set_space = "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
+/// Extensions without which the meshes say the same.
+constexpr std::array<std::string_view, 5> harmless_spaces = {core_space, production_space, material_space, slice_space,
+                                                             set_space};
 constexpr std::string_view model_relationship = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::string_view relationships_part = "_rels/.rels", model_part = "3D/3dmodel.model";
 
@@ -59,10 +66,17 @@ constexpr std::array<Transition, 12> transitions = {{{ModelState::outside, "mode
 
 /// Elements that are not of the core, or not where it has them, are passed over with what is in them.
 ModelState state_within(ModelState from, const XmlElement& element) {
-  if (element.space() != core_space) return ModelState::other;
+  if (element.space() != core_space && element.space() != draft_space) return ModelState::other;
   for (const Transition& transition : transitions)
     if (transition.from == from && transition.name == element.name()) return transition.to;
   return ModelState::other;
+}
+
+/// Whether an object or triangle has colours or materials.
+bool is_painted(const XmlElement& element) {
+  constexpr std::array<std::string_view, 4> names = {"pid", "p1", "materialid", "colorid"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view name) { return element.attribute(name).has_value(); });
 }
 
 /// An object by the part that holds it and its number there.
@@ -81,7 +95,7 @@ struct Package {
   std::vector<std::vector<Reference>> components;  // of each node
   std::map<ObjectId, std::uint32_t> node_of;
   std::vector<Reference> items;
-  std::uint64_t properties = 0, no_solids = 0;
+  std::uint64_t properties = 0, no_solids = 0, extensions = 0, unprinted = 0;
 };
 
 class ModelReader : public XmlHandler {
@@ -113,8 +127,9 @@ class ModelReader : public XmlHandler {
         return reference(element, package_.components.back());
       case ModelState::item:
         // Only the part that the package names as its model builds.
-        return !is_root_ || reference(element, package_.items);
+        return !is_root_ || item(element);
       case ModelState::other:
+        if (from != ModelState::other) extension(element);
         return from != ModelState::outside || fail(ErrorCode::bad_syntax, "this is no model of 3MF");
       default:
         return true;
@@ -145,11 +160,18 @@ class ModelReader : public XmlHandler {
       const std::string prefix(words.substr(0, end));
       words.remove_prefix(std::min(end + 1, words.size()));
       const std::string& space = spaces_[prefix];
-      if (!prefix.empty() && space != production_space && space != material_space && space != core_space)
+      if (!prefix.empty() && std::find(harmless_spaces.begin(), harmless_spaces.end(), space) == harmless_spaces.end())
         return fail(ErrorCode::unknown_format,
                     "the model requires the extension \"" + (space.empty() ? prefix : space) + "\", which is not read");
     }
     return true;
+  }
+
+  /// Counts what an extension adds to shapes.
+  void extension(const XmlElement& element) {
+    const auto space = element.space();
+    if (space != core_space && space != draft_space && space != material_space && space != set_space)
+      ++package_.extensions;
   }
 
   bool object(const XmlElement& element) {
@@ -159,10 +181,14 @@ class ModelReader : public XmlHandler {
     if (!package_.node_of.emplace(ObjectId{part_, id}, node).second)
       return fail(ErrorCode::bad_syntax, "two objects have the id " + std::to_string(id));
 
+    if (element.attribute("meshresolution", slice_space) == "lowres")
+      return fail(ErrorCode::unknown_format, "the mesh of object " + std::to_string(id) +
+                                                 " is a rough one (\"lowres\") beside slices, which are not read");
+
     const auto type = element.attribute("type").value_or("model");
     is_solid_ = type == "model" || type == "solidsupport";
     if (!is_solid_) ++package_.no_solids;
-    if (element.attribute("pid")) ++package_.properties;
+    if (is_painted(element)) ++package_.properties;
     AssemblyNode made;
     made.name = element.attribute("name").value_or("");
     made.place = (is_root_ ? "" : part_ + ", ") + "object " + std::to_string(id);
@@ -173,7 +199,7 @@ class ModelReader : public XmlHandler {
 
   bool mesh() {
     // Supports and surfaces bound nothing: they are read, and belong to no solid.
-    if (is_solid_) package_.nodes.back().meshes.push_back(static_cast<std::uint32_t>(package_.meshes.size()));
+    if (is_solid_) package_.nodes.back().meshes.push_back({static_cast<std::uint32_t>(package_.meshes.size()), {}});
     package_.meshes.emplace_back();
     return true;
   }
@@ -199,8 +225,14 @@ class ModelReader : public XmlHandler {
       mesh.corners.push_back(vertex);
     }
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    if (element.attribute("pid") || element.attribute("p1")) ++package_.properties;
+    if (is_painted(element)) ++package_.properties;
     return true;
+  }
+
+  /// Programs that print mark what they are to leave out.
+  bool item(const XmlElement& element) {
+    if (element.attribute("printable") == "0") ++package_.unprinted;
+    return reference(element, package_.items);
   }
 
   /// A component or an item.
@@ -308,6 +340,11 @@ Result<void> resolve_components(Package& package) {
   return {};
 }
 
+Notice read_although_unprinted(std::uint64_t count) {
+  return {count, count == 1 ? "1 item is marked as not to be printed, and read all the same"
+                            : std::to_string(count) + " items are marked as not to be printed, and read all the same"};
+}
+
 Result<Scene> scene_of(Package package) {
   if (auto done = resolve_components(package); !done) return done.error();
   if (package.items.empty()) return Error{ErrorCode::no_faces, "the model builds nothing: it has no item", {}, "build"};
@@ -333,6 +370,10 @@ Result<Scene> scene_of(Package package) {
   if (package.no_solids > 0)
     scene.notices.push_back(passed_over(package.no_solids, "object that is no solid (support, surface)",
                                         "objects that are no solids (supports, surfaces)"));
+  if (package.extensions > 0)
+    scene.notices.push_back(passed_over(package.extensions, "element of an extension (beams, slices, or others)",
+                                        "elements of extensions (beams, slices, or others)"));
+  if (package.unprinted > 0) scene.notices.push_back(read_although_unprinted(package.unprinted));
   return scene;
 }
 

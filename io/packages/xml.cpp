@@ -89,8 +89,9 @@ XmlElement::XmlElement(std::string_view name, const char* const* attributes) : a
 }
 
 std::optional<std::string_view> XmlElement::attribute(std::string_view name, std::string_view space) const {
+  // One without a namespace stands as it is.
   for (const char* const* at = attributes_; *at != nullptr; at += 2)
-    if (parted(*at) == std::pair{space, name}) return at[1];
+    if (space.empty() ? *at == name : parted(*at) == std::pair{space, name}) return at[1];
   return std::nullopt;
 }
 

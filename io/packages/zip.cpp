@@ -12,7 +12,8 @@ namespace quoin::io {
 namespace {
 
 constexpr std::uint64_t local_size = 30, central_size = 46, end_size = 22, locator_size = 20, end64_size = 56;
-constexpr std::uint32_t narrow = std::numeric_limits<std::uint32_t>::max();  // a number that stands in an extra field
+/// In place of a number that stands in an extra field.
+constexpr std::uint32_t narrow = std::numeric_limits<std::uint32_t>::max();
 
 /// Little-endian numbers at a place of the bytes. Precondition: they are there.
 std::uint64_t number_at(std::string_view bytes, std::uint64_t at, int size) {
@@ -129,19 +130,28 @@ bool inflated(std::string_view packed, std::string& out, std::uint64_t size) {
 }
 
 std::string deflated(std::string_view content) {
+  // zlib counts in 32 bits.
+  constexpr std::size_t in_piece = std::size_t{1} << 30, out_piece = std::size_t{1} << 20;
   z_stream stream = {};
   if (::deflateInit2(&stream, 6, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, ::deflateEnd);
 
-  std::string out(::deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int code = ::deflate(&stream, Z_FINISH);
-  assert(code == Z_STREAM_END);
-  (void)code;
-  out.resize(out.size() - stream.avail_out);
+  std::string out;
+  std::size_t made = 0;
+  for (int code = Z_OK; code != Z_STREAM_END;) {
+    if (stream.avail_in == 0) {
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+      stream.avail_in = static_cast<uInt>(std::min(in_piece, content.size()));
+      content.remove_prefix(stream.avail_in);
+    }
+    out.resize(std::max(out.size(), made + out_piece));
+    stream.next_out = reinterpret_cast<Bytef*>(out.data() + made);
+    stream.avail_out = static_cast<uInt>(out_piece);
+    code = ::deflate(&stream, content.empty() ? Z_FINISH : Z_NO_FLUSH);
+    assert(code == Z_OK || code == Z_STREAM_END);
+    made += out_piece - stream.avail_out;
+  }
+  out.resize(made);
   return out;
 }
 
@@ -150,18 +160,35 @@ void append(std::string& out, std::uint64_t value, int size) {
   for (int i = 0; i < size; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
 }
 
+constexpr int plain_version = 20, wide_version = 45;  // of the reader that is needed, in tenths
+
+/// Whether a number stands in an extra field of ZIP64.
+bool is_wide(std::uint64_t number) { return number >= narrow; }
+
+void append_narrow(std::string& out, std::uint64_t number) { append(out, is_wide(number) ? narrow : number, 4); }
+
+/// The extra field of ZIP64 with those numbers; empty for none.
+std::string wide_field(const std::vector<std::uint64_t>& numbers) {
+  std::string out;
+  if (numbers.empty()) return out;
+  append(out, 1, 2);
+  append(out, 8 * numbers.size(), 2);
+  for (const std::uint64_t number : numbers) append(out, number, 8);
+  return out;
+}
+
 /// What the local header and the directory say alike: version, flags, method, a time (1980-01-01), sizes, name.
-void append_header(std::string& out, const ZipEntry& entry) {
-  append(out, 20, 2);
+void append_header(std::string& out, const ZipEntry& entry, std::string_view field) {
+  append(out, field.empty() ? plain_version : wide_version, 2);
   append(out, entry.flags, 2);
   append(out, entry.method, 2);
   append(out, 0, 2);
   append(out, 0x21, 2);
   append(out, entry.checksum, 4);
-  append(out, entry.packed_size, 4);
-  append(out, entry.size, 4);
+  append_narrow(out, entry.packed_size);
+  append_narrow(out, entry.size);
   append(out, entry.name.size(), 2);
-  append(out, 0, 2);  // no extra field
+  append(out, field.size(), 2);
 }
 
 }  // namespace
@@ -232,37 +259,77 @@ Result<std::string> ZipArchive::content(const ZipEntry& entry) const {
   return content;
 }
 
+std::string zip_local_header(const ZipEntry& entry) {
+  // Where one of the sizes is wide both stand in the field.
+  ZipEntry shown = entry;
+  std::vector<std::uint64_t> wide;
+  if (is_wide(entry.size) || is_wide(entry.packed_size)) {
+    shown.size = shown.packed_size = narrow;
+    wide = {entry.size, entry.packed_size};
+  }
+  const std::string field = wide_field(wide);
+
+  std::string out = "PK\x03\x04";
+  append_header(out, shown, field);
+  return out + entry.name + field;
+}
+
+std::string zip_directory_entry(const ZipEntry& entry) {
+  // The numbers that are wide, in this order.
+  std::vector<std::uint64_t> wide;
+  for (const std::uint64_t number : {entry.size, entry.packed_size, entry.header})
+    if (is_wide(number)) wide.push_back(number);
+  const std::string field = wide_field(wide);
+
+  std::string out = "PK\x01\x02";
+  append(out, field.empty() ? plain_version : wide_version, 2);
+  append_header(out, entry, field);
+  out.append(10, '\0');  // comment, disk, attributes
+  append_narrow(out, entry.header);
+  return out + entry.name + field;
+}
+
+std::string zip_end(std::uint64_t count, std::uint64_t begin, std::uint64_t size) {
+  constexpr std::uint64_t narrow_count = 0xffff;
+  std::string out;
+  if (count >= narrow_count || is_wide(begin) || is_wide(size)) {
+    out += "PK\x06\x06";
+    append(out, end64_size - 12, 8);  // of what follows
+    append(out, wide_version, 2);
+    append(out, wide_version, 2);
+    append(out, 0, 8);  // disks
+    append(out, count, 8);
+    append(out, count, 8);
+    append(out, size, 8);
+    append(out, begin, 8);
+    out += "PK\x06\x07";
+    append(out, 0, 4);
+    append(out, begin + size, 8);
+    append(out, 1, 4);
+  }
+
+  out += "PK\x05\x06";
+  append(out, 0, 4);
+  append(out, std::min(count, narrow_count), 2);
+  append(out, std::min(count, narrow_count), 2);
+  append_narrow(out, size);
+  append_narrow(out, begin);
+  append(out, 0, 2);
+  return out;
+}
+
 std::string write_zip(const std::vector<ZipFile>& files) {
   std::string out, directory;
   for (const ZipFile& file : files) {
     const std::string packed = deflated(file.content);
-    assert(file.content.size() < narrow && out.size() + packed.size() < narrow);
     const ZipEntry entry{file.name,           8,         0x800, checksum_of(file.content), packed.size(),
                          file.content.size(), out.size()};
-
-    out += "PK\x03\x04";
-    append_header(out, entry);
-    out += entry.name;
+    out += zip_local_header(entry);
     out += packed;
-
-    directory += "PK\x01\x02";
-    append(directory, 20, 2);
-    append_header(directory, entry);
-    directory.append(10, '\0');  // comment, disk, attributes
-    append(directory, entry.header, 4);
-    directory += entry.name;
+    directory += zip_directory_entry(entry);
   }
-
   const std::uint64_t begin = out.size();
-  out += directory;
-  out += "PK\x05\x06";
-  append(out, 0, 4);
-  append(out, files.size(), 2);
-  append(out, files.size(), 2);
-  append(out, directory.size(), 4);
-  append(out, begin, 4);
-  append(out, 0, 2);
-  return out;
+  return out + directory + zip_end(files.size(), begin, directory.size());
 }
 
 }  // namespace quoin::io

@@ -27,7 +27,7 @@ class ZipArchive {
  public:
   /// What an archive may inflate to: so many times what is packed, beyond a first allowance, and so much in all.
   static constexpr std::uint64_t max_ratio = 256, allowance = std::uint64_t{1} << 20;
-  static constexpr std::uint64_t max_size = std::uint64_t{1} << 32;
+  static constexpr std::uint64_t max_size = std::uint64_t{1} << 34;
 
   static bool looks_like(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
@@ -54,8 +54,14 @@ struct ZipFile {
   std::string content;
 };
 
-/// An archive of deflated files, without times: equal files give equal bytes.
-/// Precondition: content and archive are below 4 GiB.
+/// An archive of deflated files, without times: equal files give equal bytes. Numbers that 32 bits, or counts that 16,
+/// do not hold are written as ZIP64.
 std::string write_zip(const std::vector<ZipFile>& files);
+
+/// Its records: what stands before the content of an entry, its entry in the directory, and what stands behind a
+/// directory of so many entries and bytes that begins there.
+std::string zip_local_header(const ZipEntry& entry);
+std::string zip_directory_entry(const ZipEntry& entry);
+std::string zip_end(std::uint64_t count, std::uint64_t begin, std::uint64_t size);
 
 }  // namespace quoin::io

@@ -444,6 +444,42 @@ TEST(ModelFile, ImportsOfMeshes) {
   fs::remove_all(folder);
 }
 
+// Files of one model state one unit, or are converted to the one that is asked for.
+TEST(ModelFile, UnitsOfMeshes) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / ("quoin_units_" + std::to_string(std::random_device()()));
+  fs::create_directories(folder);
+  const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).to_triangles().value();
+  const auto put = [&](const char* name, Format format, Unit unit) {
+    std::ofstream(folder / name, std::ios::binary) << to_bytes(mesh, format, unit).value();
+  };
+  put("inch.3mf", Format::threemf, Unit::inch);
+  put("foot.amf", Format::amf, Unit::foot);
+  put("none.off", Format::off, Unit::none);
+  const auto text = [](const std::string& a, const std::string& b) {
+    return document(R"({"union": [{"mesh": {"file": ")" + a + R"("}}, {"mesh": {"file": ")" + b + R"("}}]})");
+  };
+
+  std::vector<MeshImport> imports;
+  ASSERT_TRUE(Model::from_json(text("none.off", "inch.3mf"), folder.string(), &imports));
+  ASSERT_EQ(imports.size(), 2U);
+  EXPECT_EQ(imports[0].unit, Unit::none);
+  EXPECT_EQ(imports[1].unit, Unit::inch);
+
+  const auto mixed = Model::from_json(text("inch.3mf", "foot.amf"), folder.string());
+  ASSERT_FALSE(mixed);
+  EXPECT_EQ(mixed.error().code, ErrorCode::mixed_units);
+  EXPECT_EQ(mixed.error().file, (folder / "foot.amf").string());
+  EXPECT_EQ(Model::from_json(text("foot.amf", "inch.3mf"), folder.string()).error().code, ErrorCode::mixed_units);
+
+  // The cube of an inch lies in that of a foot, or touches nothing outside.
+  const auto inches = Model::from_json(text("inch.3mf", "foot.amf"), folder.string(), &imports, {.unit = Unit::inch});
+  ASSERT_TRUE(inches) << told(inches.error());
+  EXPECT_EQ(volume(evaluated(inches.value())), "1728");
+  EXPECT_EQ(imports[1].unit, Unit::inch);
+  fs::remove_all(folder);
+}
+
 TEST(ModelFile, NotAModel) {
   EXPECT_EQ(refusal("").substr(0, 5), "line ");
   expect_refused("solid cube", "line 1, column 1", "not JSON");

@@ -56,5 +56,27 @@ TEST_F(CliTest, UnitsAreKeptAndNeverScaledSilently) {
   EXPECT_EQ(run({"info", "a.off", "--json"}).json()["unit"], nullptr);
 }
 
+// Meshes of a model are operands in this.
+TEST_F(CliTest, UnitsOfMeshesOfAModel) {
+  put("a.3mf", two_items());
+  put("one.json", R"({"quoin-model": 1, "model": {"mesh": {"file": "a.3mf#1"}}})");
+  const Json kept = run({"eval", "one.json", "-o", "b.amf", "--json"}).json();
+  EXPECT_EQ(kept["unit"], "inch");
+  EXPECT_EQ(kept["import"][0]["unit"], "inch");
+  EXPECT_EQ(kept["volume"], "36");
+  EXPECT_EQ(run({"info", "b.amf", "--json"}).json()["unit"], "inch");
+  // Legs of 6 inches are half a foot.
+  const Json converted = run({"eval", "one.json", "--unit", "ft", "-o", "c.3mf", "--json"}).json();
+  EXPECT_EQ(converted["unit"], "foot");
+  EXPECT_EQ(run({"info", "c.3mf", "--json"}).json()["volume"], "1/48");
+
+  put("two.json", R"({"quoin-model": 1, "model": {"symmetric-difference":
+    [{"mesh": {"file": "a.3mf#1"}}, {"mesh": {"file": "c.3mf"}}, {"mesh": {"file": "a.off"}}]}})");
+  expect_error(run({"eval", "two.json", "-o", "d.stl", "--json"}), 1, "mixed-units", "./c.3mf");
+  const Json same = run({"eval", "two.json", "--unit", "inch", "-o", "d.stl", "--json"}).json();
+  EXPECT_EQ(same["unit"], "inch");
+  EXPECT_EQ(same["volume"], run({"info", "a.off", "--json"}).json()["volume"]);
+}
+
 }  // namespace
 }  // namespace quoin::cli_test

@@ -10,10 +10,12 @@
 #include <regex>
 #include <set>
 
+#include "exact/rational.h"
 #include "io/quoin.h"
 #include "tests/api/doors/quoin_damage.h"
 #include "tests/api/fractions.h"
 #include "tests/api/solids.h"
+#include "tests/io/packages/gltf/documents.h"
 #include "tests/io/packages/package.h"
 
 namespace quoin::api_test {
@@ -665,6 +667,21 @@ TEST(SourceOfMeshes, NoticesOfDroppedShells) {
   EXPECT_EQ(reports[0].dropped_shells, 2U);
   EXPECT_EQ(reports[0].notices, (std::vector<Notice>{{3, "3 lines are passed over"},
                                                      {2, "2 shells are inside out and bound nothing: dropped"}}));
+}
+
+// Normalised integers of a glTF are exact until they are placed.
+TEST_F(Files, QuantisedPositionsAreRoundedOnce) {
+  const std::vector<int> corners = {0, 0, 0, 65535, 0, 0, 0, 1, 0, 0, 0, 3};
+  put("plain.glb", io::test::quantised(corners, 5123, true));
+  put("moved.glb", io::test::quantised(corners, 5123, true, R"(,"scale":[0.1,0.1,0.1],"translation":[0,7,0])"));
+  const auto plain = read_source(path("plain.glb")), moved = read_source(path("moved.glb"));
+  ASSERT_TRUE(plain && moved);
+  const exact::Rational tenth = exact::to_rational(0.1);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    EXPECT_EQ(plain.value().mesh.points[i], corners[i] / 65535.0);
+    EXPECT_EQ(moved.value().mesh.points[i],
+              exact::to_double(exact::Rational(corners[i] * tenth / 65535 + (i % 3 == 1 ? 7 : 0))));
+  }
 }
 
 // A glTF may name files beside it, and no others.

@@ -80,6 +80,26 @@ TEST(Placed, StepsComposeExactly) {
   EXPECT_EQ(map_of({io::QuaternionStep{{0, 0, 0, 0}}}).error().code, ErrorCode::non_finite);
 }
 
+// A quotient of integers, moved, is rounded once: integers of 16 bits over what stands for 1 among them.
+TEST(Placed, QuotientsAreRoundedOnce) {
+  std::mt19937_64 random(io::test::seed());
+  for (const int divisor : {127, 255, 32767, 65535}) {
+    const io::MatrixStep step = {{0.1, 0, 0, 1e-3, 0, 3, 0, 0, 0, 0, -1.0 / 3, 7}};
+    const RoundedMap plain(map_of({io::DivisionStep{static_cast<double>(divisor)}}).value());
+    const RoundedMap moved(map_of({io::DivisionStep{static_cast<double>(divisor)}, step}).value());
+    for (int round = 0; round < 2000; ++round) {
+      std::array<double, 3> p;
+      for (double& v : p) v = static_cast<double>(random() % static_cast<unsigned>(divisor + 1)) - divisor / 2;
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(plain(p)[k], p[k] / divisor);  // IEEE 754 rounds it once
+        const Rational image =
+            to_rational(step.rows[5 * k]) * to_rational(p[k]) / divisor + to_rational(step.rows[4 * k + 3]);
+        EXPECT_EQ(moved(p)[k], exact::to_double(image));
+      }
+    }
+  }
+}
+
 TEST(Placed, MirroredFacesAreTurnedRound) {
   const io::PolygonMesh mesh{{0.1, 0, -0.0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 3, 7}, {0, 1, 2, 0, 1, 3, 2}};
   const auto mirrored = placed_mesh(mesh, map_of({io::MatrixStep{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}}).value());

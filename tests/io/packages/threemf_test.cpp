@@ -83,6 +83,63 @@ TEST(ThreeMf, WhatIsPassedOverIsCounted) {
   EXPECT_TRUE(scene.value().objects[1].meshes.empty());
 }
 
+// What other extensions add is counted, each element once, whatever is in it; what the core itself has is not.
+TEST(ThreeMf, ElementsOfExtensionsAreCounted) {
+  const std::string beams =
+      "<b:beamlattice xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\">"
+      "<b:beams><b:beam v1=\"0\" v2=\"1\"/></b:beams></b:beamlattice></mesh>";
+  const std::string sets =
+      "<t:trianglesets xmlns:t=\"http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07\">"
+      "<t:triangleset name=\"a\" identifier=\"b\"><t:ref index=\"0\"/></t:triangleset>"
+      "</t:trianglesets></mesh>";
+  const auto with = [](const std::string& end) {
+    std::string text = tetrahedron_text();
+    return text.replace(text.rfind("</mesh>"), 7, end);
+  };
+  const auto scene =
+      read_scene(package(model_text("<metadatagroup><metadata name=\"x\">y</metadata></metadatagroup>" +
+                                        object_text(1, with(beams)) + object_text(2, with(sets)),
+                                    "<item objectid=\"1\" printable=\"0\"/><item objectid=\"2\" printable=\"1\"/>")),
+                 Format::threemf);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene.value().notices,
+            (std::vector<Notice>{{1, "1 element of an extension (beams, slices, or others) is passed over"},
+                                 {1, "1 item is marked as not to be printed, and read all the same"}}));
+  EXPECT_EQ(scene.value().objects.size(), 2U);
+}
+
+// The draft of 2013, by which old files are written.
+TEST(ThreeMf, TheDraftIsRead) {
+  std::string model =
+      model_text("<color id=\"3\" value=\"#fff\"/>" + object_text(0, tetrahedron_text(), "colorid=\"3\""),
+                 "<item objectid=\"0\"/>", "unit=\"inch\"");
+  const std::string draft = "http://schemas.microsoft.com/3dmanufacturing/2013/01";
+  model.replace(model.find(test::core_space), test::core_space.size(), draft);
+  const auto scene = read_scene(package(model), Format::threemf);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene.value().unit, Unit::inch);
+  EXPECT_EQ(scene.value().meshes[0].corners.size(), 12U);
+  EXPECT_EQ(scene.value().notices,
+            (std::vector<Notice>{{1, "1 group of colours and materials of faces is passed over"}}));
+}
+
+// Slices say what meshes say, unless these are rough.
+TEST(ThreeMf, SlicesBesideMeshes) {
+  const std::string space = "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" ";
+  const auto model = [&](const std::string& attributes) {
+    return model_text("<s:slicestack id=\"3\" zbottom=\"0\"/>" + object_text(1, tetrahedron_text(), attributes),
+                      "<item objectid=\"1\"/>", space + "requiredextensions=\"s\"");
+  };
+  for (const std::string attributes : {"s:slicestackid=\"3\"", "s:slicestackid=\"3\" s:meshresolution=\"fullres\""}) {
+    const auto scene = read_scene(package(model(attributes)), Format::threemf);
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene.value().notices.at(0).count, 1U);
+  }
+  const Error rough = error_of(package(model("s:slicestackid=\"3\" s:meshresolution=\"lowres\"")));
+  EXPECT_EQ(rough.code, ErrorCode::unknown_format);
+  EXPECT_NE(rough.message.find("object 1"), std::string::npos) << rough.message;
+}
+
 // The production extension spreads objects over parts of the package.
 TEST(ThreeMf, PartsThatOthersName) {
   const std::string space = "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" ";

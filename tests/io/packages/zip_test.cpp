@@ -1,5 +1,7 @@
 #include "io/packages/zip.h"
 
+#include <array>
+
 #include <zlib.h>
 
 #include "tests/io/io_support.h"
@@ -56,6 +58,61 @@ TEST(Zip, WhatIsWrittenIsRead) {
 }
 
 TEST(Zip, NumbersOfZip64) { EXPECT_EQ(content_of(wide_archive("wide and stored"), "a"), "wide and stored"); }
+
+// The records of what would be larger than 4 GiB, by hand; the directory is read back.
+TEST(Zip, WideRecords) {
+  constexpr std::uint64_t gib = std::uint64_t{1} << 30;
+  const ZipEntry wide{"a", 8, 0x800, 7, 5 * gib, 6 * gib, 7 * gib};
+  const std::string common = word(0x800, 2) + word(8, 2) + word(0, 2) + word(0x21, 2) + word(7, 4);
+  const std::string hidden = word(0xffffffff, 4) + word(0xffffffff, 4) + word(1, 2);
+  EXPECT_EQ(zip_local_header(wide), "PK\x03\x04" + word(45, 2) + common + hidden + word(20, 2) + "a" + word(1, 2) +
+                                        word(16, 2) + word(6 * gib, 8) + word(5 * gib, 8));
+  EXPECT_EQ(zip_directory_entry(wide), "PK\x01\x02" + word(45, 2) + word(45, 2) + common + hidden + word(28, 2) +
+                                           word(0, 10) + word(0xffffffff, 4) + "a" + word(1, 2) + word(24, 2) +
+                                           word(6 * gib, 8) + word(5 * gib, 8) + word(7 * gib, 8));
+  // A number alone that is wide.
+  const ZipEntry far{"b", 8, 0x800, 7, 9, 10, 7 * gib};
+  EXPECT_EQ(zip_local_header(far),
+            "PK\x03\x04" + word(20, 2) + common + word(9, 4) + word(10, 4) + word(1, 2) + word(0, 2) + "b");
+  EXPECT_EQ(zip_directory_entry(far), "PK\x01\x02" + word(45, 2) + word(45, 2) + common + word(9, 4) + word(10, 4) +
+                                          word(1, 2) + word(12, 2) + word(0, 10) + word(0xffffffff, 4) + "b" +
+                                          word(1, 2) + word(8, 2) + word(7 * gib, 8));
+
+  const std::string directory = zip_directory_entry(wide) + zip_directory_entry(far);
+  const auto archive = ZipArchive::open(directory + zip_end(2, 0, directory.size()));
+  ASSERT_TRUE(archive) << archive.error().message;
+  ASSERT_EQ(archive.value().entries().size(), 2U);
+  const auto numbers = [](const ZipEntry& entry) { return std::array{entry.packed_size, entry.size, entry.header}; };
+  EXPECT_EQ(numbers(archive.value().entries()[0]), numbers(wide));
+  EXPECT_EQ(numbers(archive.value().entries()[1]), numbers(far));
+}
+
+// One that is counted, begins or is large beyond what the plain end holds.
+TEST(Zip, WideEnds) {
+  const auto wide = [](std::uint64_t count, std::uint64_t begin, std::uint64_t size) {
+    return "PK\x06\x06" + word(44, 8) + word(45, 2) + word(45, 2) + word(0, 8) + word(count, 8) + word(count, 8) +
+           word(size, 8) + word(begin, 8) + "PK\x06\x07" + word(0, 4) + word(begin + size, 8) + word(1, 4);
+  };
+  const auto plain = [](std::uint64_t count, std::uint64_t begin, std::uint64_t size) {
+    return "PK\x05\x06" + word(0, 4) + word(count, 2) + word(count, 2) + word(size, 4) + word(begin, 4) + word(0, 2);
+  };
+  constexpr std::uint64_t most = 0xffffffff;
+  EXPECT_EQ(zip_end(3, 4, 5), plain(3, 4, 5));
+  EXPECT_EQ(zip_end(0xfffe, most - 1, most - 1), plain(0xfffe, most - 1, most - 1));
+  EXPECT_EQ(zip_end(0xffff, 4, 5), wide(0xffff, 4, 5) + plain(0xffff, 4, 5));
+  EXPECT_EQ(zip_end(3, most, 5), wide(3, most, 5) + plain(3, most, 5));
+  EXPECT_EQ(zip_end(3, most * 4, 5), wide(3, most * 4, 5) + plain(3, most, 5));
+  EXPECT_EQ(zip_end(3, 4, most * 2), wide(3, 4, most * 2) + plain(3, 4, most));
+}
+
+// More entries than 16 bits count.
+TEST(Zip, ManyEntries) {
+  std::vector<ZipFile> files;
+  for (int i = 0; i < 70000; ++i) files.push_back({std::to_string(i), ""});
+  const std::string bytes = write_zip(files);
+  EXPECT_EQ(ZipArchive::open(bytes).value().entries().size(), files.size());
+  EXPECT_EQ(content_of(bytes, "69999"), "");
+}
 
 // A prefix has no directory at its end; a change of any byte changes nothing, is noticed, or hides the entry.
 TEST(Zip, DamageIsNoticed) {

@@ -2,54 +2,20 @@
 
 #include "io/json.h"
 #include "tests/io/io_support.h"
+#include "tests/io/packages/gltf/documents.h"
 
 namespace quoin::io {
 namespace {
 
-std::string word(std::uint32_t value) {
-  std::string out;
-  for (int i = 0; i < 4; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-  return out;
-}
-
-std::string bytes_of(const std::vector<float>& values) {
-  std::string out;
-  for (const float v : values) out += word(std::bit_cast<std::uint32_t>(v));
-  return out;
-}
-
-std::string glb(std::string json, const std::string& binary) {
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  return "glTF" + word(2) + word(static_cast<std::uint32_t>(28 + json.size() + binary.size())) +
-         word(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
-         word(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
-}
-
-/// Four points, and the indices of a tetrahedron in 16 bits.
-std::string tetrahedron_buffer() {
-  std::string out = bytes_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
-  for (const char i : {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}) out += std::string{i, '\0'};
-  return out;
-}
-
-/// A document of that buffer; `nodes` and what else the root has are given.
-std::string document(const std::string& nodes, const std::string& primitive = R"("indices":1)",
-                     const std::string& rest = "", const std::string& buffer = "") {
-  return R"({"asset":{"version":"2.0"},"nodes":[)" + nodes +
-         R"(],"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":0,"NORMAL":0},)" + primitive +
-         R"(}]}],"buffers":[{"byteLength":72)" + buffer + R"(}],"bufferViews":[{"buffer":0,"byteLength":48},)" +
-         R"({"buffer":0,"byteOffset":48,"byteLength":24}],"accessors":[)" +
-         R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)" +
-         R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}])" + rest + "}";
-}
+using test::bytes_of;
+using test::document;
+using test::glb;
+using test::replaced;
+using test::tetrahedron_buffer;
+using test::word;
 
 std::string code_of_document(const std::string& json) {
   return test::code_of(glb(json, tetrahedron_buffer()), Format::glb);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  EXPECT_NE(text.find(from), std::string::npos) << from;
-  return text.replace(text.find(from), from.size(), to);
 }
 
 /// Floats come back to the bit; the points are shared.
@@ -115,6 +81,22 @@ TEST(Gltf, NodesPlaceMeshes) {
   ASSERT_TRUE(one);
   ASSERT_EQ(one.value().objects.size(), 1U);
   EXPECT_EQ(one.value().objects[0].name, "b");
+}
+
+TEST(Gltf, WhatIsPassedOverIsCounted) {
+  const std::string nodes = R"({"mesh":0,"skin":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{}}}})";
+  const auto scene =
+      read_scene(glb(document(nodes, R"("indices":1,"material":0,"targets":[{"POSITION":0},{"POSITION":0}])"),
+                     tetrahedron_buffer()),
+                 Format::glb);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene.value().notices,
+            (std::vector<Notice>{{1, "1 material is passed over"},
+                                 {1, "1 list of normals, colours or other attributes is passed over"},
+                                 {2, "2 morph targets are passed over"},
+                                 {1, "1 skin is passed over"},
+                                 {1, "1 list of instances is passed over"}}));
+  EXPECT_EQ(scene.value().objects.size(), 1U);
 }
 
 TEST(Gltf, StripsFansAndPlainTriangles) {
