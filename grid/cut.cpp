@@ -14,21 +14,21 @@ using exact::int128;
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-using Vector = std::array<int128, 3>;
+using AreaVector = std::array<int128, 3>;
 
 std::array<std::int64_t, 3> difference(const GridPoint& p, const GridPoint& q) {
   return {std::int64_t{p[0]} - q[0], std::int64_t{p[1]} - q[1], std::int64_t{p[2]} - q[2]};
 }
 
 /// Each component is at most 2^61.
-void add_cross(Vector& sum, const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& f) {
+void add_cross(AreaVector& sum, const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& f) {
   sum[0] += e[1] * f[2] - e[2] * f[1];
   sum[1] += e[2] * f[0] - e[0] * f[2];
   sum[2] += e[0] * f[1] - e[1] * f[0];
 }
 
 /// Whether all corners lie on the plane through the first with this normal: below 3 * 2^(61 + 32 + 30) fits 128 bits.
-bool on_plane(const Array<GridPoint>& points, std::span<const std::uint32_t> corners, const Vector& normal) {
+bool on_plane(const Array<GridPoint>& points, std::span<const std::uint32_t> corners, const AreaVector& normal) {
   for (std::uint32_t v : corners) {
     const auto d = difference(points[v], points[corners[0]]);
     if (normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2] != 0) return false;
@@ -41,7 +41,7 @@ bool is_planar_without_area(const Array<GridPoint>& points, std::span<const std:
   const GridPoint &p = points[corners[0]], &q = points[corners[1]];
   for (std::uint32_t v : corners) {
     if (collinear(p, q, points[v])) continue;
-    Vector normal{};
+    AreaVector normal{};
     add_cross(normal, difference(q, p), difference(points[v], p));
     return on_plane(points, corners, normal);
   }
@@ -71,10 +71,10 @@ bool Cutter::cut(std::span<const std::uint32_t> corners, Array<Triangle>& triang
 /// Fills flat_points_, so that the polygon's area is positive, or sets flat_; returns whether the polygon is planar.
 bool Cutter::project(std::span<const std::uint32_t> corners) {
   const GridPoint& p = points_[corners[0]];
-  Vector normal{};
+  AreaVector normal{};
   for (std::size_t i = 2; i < corners.size(); ++i)
     add_cross(normal, difference(points_[corners[i - 1]], p), difference(points_[corners[i]], p));
-  flat_ = normal == Vector{};
+  flat_ = normal == AreaVector{};
   if (flat_) return is_planar_without_area(points_, corners);
 
   const std::size_t axis = exact::longest_component(normal);

@@ -10,7 +10,7 @@ using ModelNode = Access::ModelNode;
 
 namespace {
 
-constexpr const char *sides = "64", *inscribed = "inscribed";
+constexpr const char *usual_sides = "64", *usual_fit = "inscribed";
 
 const std::vector<ModelRule>& rules() {
   using enum ModelKind;
@@ -20,18 +20,21 @@ const std::vector<ModelRule>& rules() {
       {prism, "prism", {{"sides"}, {"radius"}, {"height"}}, ModelChildren::none},
       {cylinder,
        "cylinder",
-       {{"radius"}, {"height"}, {"sides", 0, 1, sides}, {"fit", 0, 1, inscribed}},
+       {{"radius"}, {"height"}, {"sides", 0, 1, usual_sides}, {"fit", 0, 1, usual_fit}},
        ModelChildren::none},
       {frustum,
        "frustum",
-       {{"bottom"}, {"top"}, {"height"}, {"sides", 0, 1, sides}, {"fit", 0, 1, inscribed}},
+       {{"bottom"}, {"top"}, {"height"}, {"sides", 0, 1, usual_sides}, {"fit", 0, 1, usual_fit}},
        ModelChildren::none},
-      {cone, "cone", {{"radius"}, {"height"}, {"sides", 0, 1, sides}, {"fit", 0, 1, inscribed}}, ModelChildren::none},
-      {sphere, "sphere", {{"radius"}, {"sides", 0, 1, sides}}, ModelChildren::none},
+      {cone,
+       "cone",
+       {{"radius"}, {"height"}, {"sides", 0, 1, usual_sides}, {"fit", 0, 1, usual_fit}},
+       ModelChildren::none},
+      {sphere, "sphere", {{"radius"}, {"sides", 0, 1, usual_sides}}, ModelChildren::none},
       {tangent_sphere, "tangent-sphere", {{"radius"}, {"planes", 0, 1, "200"}}, ModelChildren::none},
       {torus,
        "torus",
-       {{"major"}, {"minor"}, {"sides", 0, 1, sides}, {"minor-sides", 0, 1, "32"}},
+       {{"major"}, {"minor"}, {"sides", 0, 1, usual_sides}, {"minor-sides", 0, 1, "32"}},
        ModelChildren::none},
       {half_space, "half-space", {{"plane", 0, 4}}, ModelChildren::none},
       {convex, "convex", {{"planes", 1, 4}}, ModelChildren::none},

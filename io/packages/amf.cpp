@@ -15,7 +15,7 @@ namespace quoin::io {
 namespace {
 
 /// The elements that say something; all others are passed over, and so is what is in them but for these.
-enum class State {
+enum class AmfState {
   outside,
   amf,
   object,
@@ -32,65 +32,65 @@ enum class State {
   other
 };
 
-State state_within(State from, std::string_view name, std::string_view kind) {
+AmfState state_within(AmfState from, std::string_view name, std::string_view kind) {
   struct Rule {
-    State from;
+    AmfState from;
     std::string_view name;
-    State to;
+    AmfState to;
   };
-  static constexpr std::array<Rule, 10> rules = {{{State::outside, "amf", State::amf},
-                                                  {State::amf, "object", State::object},
-                                                  {State::amf, "constellation", State::constellation},
-                                                  {State::object, "mesh", State::mesh},
-                                                  {State::mesh, "vertices", State::vertices},
-                                                  {State::mesh, "volume", State::volume},
-                                                  {State::vertices, "vertex", State::vertex},
-                                                  {State::vertex, "coordinates", State::coordinates},
-                                                  {State::volume, "triangle", State::triangle},
-                                                  {State::constellation, "instance", State::instance}}};
+  static constexpr std::array<Rule, 10> rules = {{{AmfState::outside, "amf", AmfState::amf},
+                                                  {AmfState::amf, "object", AmfState::object},
+                                                  {AmfState::amf, "constellation", AmfState::constellation},
+                                                  {AmfState::object, "mesh", AmfState::mesh},
+                                                  {AmfState::mesh, "vertices", AmfState::vertices},
+                                                  {AmfState::mesh, "volume", AmfState::volume},
+                                                  {AmfState::vertices, "vertex", AmfState::vertex},
+                                                  {AmfState::vertex, "coordinates", AmfState::coordinates},
+                                                  {AmfState::volume, "triangle", AmfState::triangle},
+                                                  {AmfState::constellation, "instance", AmfState::instance}}};
   for (const Rule& rule : rules)
     if (rule.from == from && rule.name == name) return rule.to;
   // Numbers are elements of their own.
-  const bool is_number = from == State::coordinates || from == State::triangle || from == State::instance;
-  if (is_number) return State::number;
-  if (name == "metadata" && kind == "name" && (from == State::object || from == State::constellation))
-    return State::name;
-  return State::other;
+  const bool is_number = from == AmfState::coordinates || from == AmfState::triangle || from == AmfState::instance;
+  if (is_number) return AmfState::number;
+  if (name == "metadata" && kind == "name" && (from == AmfState::object || from == AmfState::constellation))
+    return AmfState::name;
+  return AmfState::other;
 }
 
 class AmfReader : public XmlHandler {
  public:
   bool open(const XmlElement& element) override {
-    const State from = states_.empty() ? State::outside : states_.back();
+    const AmfState from = states_.empty() ? AmfState::outside : states_.back();
     const std::string_view kind = element.attribute("type").value_or("");
-    const State state = from == State::other ? State::other : state_within(from, element.name(), kind);
+    const AmfState state = from == AmfState::other ? AmfState::other : state_within(from, element.name(), kind);
     states_.push_back(state);
     text_.clear();
     switch (state) {
-      case State::amf:
+      case AmfState::amf:
         return unit(element);
-      case State::object:
-      case State::constellation:
+      case AmfState::object:
+      case AmfState::constellation:
         return node(element);
-      case State::mesh:
+      case AmfState::mesh:
         points_.clear();
         first_mesh_ = meshes.size();
         return true;
-      case State::coordinates:
-      case State::triangle:
+      case AmfState::coordinates:
+      case AmfState::triangle:
         values_.clear();
         return true;
-      case State::volume:
+      case AmfState::volume:
         meshes.emplace_back();
         nodes.back().meshes.push_back(static_cast<std::uint32_t>(meshes.size() - 1));
         return true;
-      case State::instance:
+      case AmfState::instance:
         return instance(element);
-      case State::number:
+      case AmfState::number:
         number_name_ = element.name();
         return true;
-      case State::other:
-        if (from == State::outside) return fail(ErrorCode::unknown_format, "this is no AMF");
+      case AmfState::other:
+        if (from == AmfState::outside) return fail(ErrorCode::unknown_format, "this is no AMF");
         if (element.name() == "color" || element.name() == "texmap") ++colours;
         return true;
       default:
@@ -99,27 +99,27 @@ class AmfReader : public XmlHandler {
   }
 
   bool text(std::string_view piece) override {
-    const State state = states_.back();
-    if (state == State::number || state == State::name) text_ += piece;
+    const AmfState state = states_.back();
+    if (state == AmfState::number || state == AmfState::name) text_ += piece;
     return true;
   }
 
   bool close() override {
-    const State state = states_.back();
+    const AmfState state = states_.back();
     states_.pop_back();
     switch (state) {
-      case State::number:
+      case AmfState::number:
         return read_number();
-      case State::name:
+      case AmfState::name:
         nodes.back().name = text_;
         return true;
-      case State::coordinates:
+      case AmfState::coordinates:
         return coordinates();
-      case State::triangle:
+      case AmfState::triangle:
         return triangle();
-      case State::instance:
+      case AmfState::instance:
         return place();
-      case State::mesh:
+      case AmfState::mesh:
         // All volumes of an object share its vertices.
         for (std::size_t i = first_mesh_; i < meshes.size(); ++i) meshes[i].points = points_;
         return share();
@@ -165,7 +165,7 @@ class AmfReader : public XmlHandler {
 
   bool read_number() {
     double value = 0;
-    if (number_name_.starts_with("v") && states_.back() == State::triangle) {
+    if (number_name_.starts_with("v") && states_.back() == AmfState::triangle) {
       std::uint32_t vertex = 0;
       if (!index(text_, vertex)) return false;
       value = vertex;
@@ -225,7 +225,7 @@ class AmfReader : public XmlHandler {
     return shared_ <= max_placed_corners || fail(ErrorCode::absurd_count, "volumes share too many vertices");
   }
 
-  std::vector<State> states_;
+  std::vector<AmfState> states_;
   std::string text_, number_name_;
   std::vector<double> points_;
   std::size_t first_mesh_ = 0;
