@@ -85,6 +85,19 @@ std::vector<std::array<double, 2>> around(std::size_t corners, double turn, doub
   return polygon;
 }
 
+void append(Mesh& all, const Mesh& mesh) {
+  const auto base = static_cast<std::uint32_t>(all.points.size() / 3);
+  all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+  for (const std::uint32_t v : mesh.triangles) all.triangles.push_back(base + v);
+}
+
+Solid imported(const Mesh& mesh, const Grid& grid, const Options& run) {
+  ImportOptions options;
+  options.grid = grid;
+  options.run = run;
+  return must(Solid::from_triangles(mesh.points, mesh.triangles, options));
+}
+
 /// The i-th of n points spread evenly over the unit sphere.
 Point on_sphere(std::size_t i, std::size_t n) {
   const double golden = pi * (3 - std::sqrt(5.0)), z = 1 - (2 * double(i) + 1) / double(n), r = std::sqrt(1 - z * z),
@@ -183,11 +196,50 @@ std::vector<Mesh> sphere_and_spheres(std::size_t n) {
   return all;
 }
 
-Solid common_of_half_spaces(std::size_t n, const Grid& grid, const Options& run) {
-  ImportOptions options;
+Solid mesh_of_duplicates(std::size_t n, const Grid& grid, const Options& run) {
+  Mesh one, all;
+  for (const Point& p : {Point{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) add(one, p);
+  one.triangles = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  for (std::size_t i = 0; i < n; ++i) append(all, one);
+  return imported(all, grid, run);
+}
+
+Solid mesh_of_needles(std::size_t n, const Grid& grid, const Options& run) {
+  Mesh all;
+  for (const Mesh& needle : examples::needles(n, {0, 0, 0}, 1, 0.01, 3, 5)) append(all, needle);
+  return imported(all, grid, run);
+}
+
+Solid mesh_of_bars(std::size_t n, const Grid& grid, const Options& run) {
+  Mesh all;
+  const double end = 2 * double(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double at = 2 * double(i);
+    append(all, examples::box({at, -1, 0}, {at + 1, end, 1}));
+    append(all, examples::box({-1, at, 0.25}, {end, at + 1, 1.25}));
+  }
+  return imported(all, grid, run);
+}
+
+Solid swept_star(std::size_t n, const Grid& grid, const Options& run) {
+  Model::Outline outline;
+  for (const auto& [x, y] : around(n, 0, 1, 0.5)) outline.push_back({std::to_string(x), std::to_string(y)});
+  ModelOptions options;
   options.grid = grid;
-  const Mesh around = examples::box({-2, -2, -2}, {2, 2, 2});
-  std::vector<Expression> all{must(Solid::from_triangles(around.points, around.triangles, options))};
+  options.run = run;
+  return must(evaluate(Model::extrusion({{outline}}, {"0", "0", "1"}), options));
+}
+
+Solid two_solids_in_turn(std::size_t n, const Grid& grid, const Options& run) {
+  const Expression a = imported(examples::box({0, 0, 0}, {2, 2, 2}), grid, {}),
+                   b = imported(examples::box({1, 1, 1}, {3, 3, 3}), grid, {});
+  Expression all = a;
+  for (std::size_t i = 1; i < n; ++i) all = i % 2 == 1 ? all - b : all + a;
+  return must(evaluate(all, run));
+}
+
+Solid common_of_half_spaces(std::size_t n, const Grid& grid, const Options& run) {
+  std::vector<Expression> all{imported(examples::box({-2, -2, -2}, {2, 2, 2}), grid, {})};
   for (std::size_t i = 0; i < n; ++i) {
     const Text3 normal = text(on_sphere(i, n));
     all.push_back(HalfSpace{{normal[0], normal[1], normal[2], "-1"}});

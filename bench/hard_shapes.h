@@ -43,6 +43,18 @@ std::vector<Mesh> boxes_in_a_row(std::size_t n);
 /// A sphere of 1,280 triangles, then n of 20 on its surface, apart.
 std::vector<Mesh> sphere_and_spheres(std::size_t n);
 
+/// Meshes of many shells: a tetrahedron n times in one place; n needles through one point; n bars across n others,
+/// which meet in n^2 places.
+Solid mesh_of_duplicates(std::size_t n, const Grid& grid, const Options& run);
+Solid mesh_of_needles(std::size_t n, const Grid& grid, const Options& run);
+Solid mesh_of_bars(std::size_t n, const Grid& grid, const Options& run);
+
+/// A model: a star of n corners, swept along z.
+Solid swept_star(std::size_t n, const Grid& grid, const Options& run);
+
+/// ((A - B) u A) - B ..: n terms that name two boxes.
+Solid two_solids_in_turn(std::size_t n, const Grid& grid, const Options& run);
+
 /// What n half-spaces whose planes touch a sphere have in common: n faces, 2 n - 4 vertices. Precondition: n is large
 /// enough for it to be within twice the sphere.
 Solid common_of_half_spaces(std::size_t n, const Grid& grid, const Options& run);

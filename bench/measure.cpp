@@ -192,6 +192,11 @@ Law law_of_made(const Workload& w, std::size_t n, const Solid& result) {
   const Info info = result.info();
   if (w.name == "half-spaces")
     return {"a face a plane, 2 n - 4 vertices", info.faces == n && info.vertices == 2 * n - 4};
+  if (w.name == "mesh-duplicates") return {"one tetrahedron", info.faces == 4 && info.vertices == 4};
+  if (w.name == "mesh-needles" || w.name == "mesh-bars") return {"one shell", info.shells == 1};
+  if (w.name == "swept-star") return {"a face a side, 2 n vertices", info.faces == n + 2 && info.vertices == 2 * n};
+  // The last term is a difference if there are as many of each.
+  if (w.name == "in-turn") return {"a box, or one with a notch", info.faces == (n % 2 == 0 ? 9u : 6u)};
   return {"all points are vertices", info.vertices == n};
 }
 

@@ -225,6 +225,11 @@ const std::vector<Workload>& workloads() {
       {"deep", "boxes", 4000, unite_leaning, "1/1024", boxes_in_a_row},
       {"deep-alternating", "boxes", 4000, alternate, "1/1024", boxes_in_a_row},
       {"repeated", "spheres", 4000, unite_remainders, fine, sphere_and_spheres},
+      {"mesh-duplicates", "shells", 4000, unite, fine, nullptr, mesh_of_duplicates},
+      {"mesh-needles", "shells", 1000, unite, fine, nullptr, mesh_of_needles},
+      {"mesh-bars", "bars across as many", 300, unite, "1/1024", nullptr, mesh_of_bars},
+      {"swept-star", "corners", 16000, unite, fine, nullptr, swept_star},
+      {"in-turn", "terms", 64000, unite, coarse, nullptr, two_solids_in_turn},
       {"half-spaces", "planes", 4000, intersect, coarse, nullptr, common_of_half_spaces},
       {"hulls", "points", 4000, unite, fine, nullptr, hull_of_points},
   };

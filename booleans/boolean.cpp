@@ -31,6 +31,7 @@ Result<Body> evaluate(std::span<const Body* const> operands, const Expression& e
   if (!run.begin("pairs", 0.0)) return cancelled();
   Operands all({operands.begin(), operands.end()});
   const FacePairs pairs = foreign_pairs(all);
+  if (run.pairs) *run.pairs += pairs.size();
   dump_if_asked("pairs", [&] { return dump(pairs, all); });
 
   const Result<Arrangement> a = arrange(std::move(all), pairs, run);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "booleans/body/locate.h"
-#include "booleans/pairs/box_tree.h"
+#include "booleans/pairs/crowd.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -44,16 +44,10 @@ void sort_in_space(std::span<Member> members) {
   sort_in_space(members.subspan(half));
 }
 
-/// Do the boxes of more pairs meet than Thresholds::neighbours a member?
-bool is_crowded(const std::vector<Member>& members) {
-  const std::size_t most = (2 * grid::thresholds().neighbours + 1) * members.size();  // each itself, each pair twice
-  Array<BoxTree::Item> items;
-  for (std::uint32_t i = 0; i < members.size(); ++i) items.push_back({members[i].box, i, i});
-  const BoxTree tree(items);
-  std::size_t met = 0;
-  for (std::size_t i = 0; i < members.size() && met <= most; ++i)
-    tree.meeting(members[i].box, [&](std::uint32_t) { ++met; });
-  return met > most;
+bool are_crowded(const std::vector<Member>& members) {
+  Array<Box> boxes;
+  for (const Member& m : members) boxes.push_back(m.box);
+  return are_crowded(boxes);
 }
 
 /// What is still to be evaluated.
@@ -97,7 +91,7 @@ std::vector<Part> crowded_groups(const Task& task) {
 
   std::vector<Part> groups;
   for (auto& [key, members] : like) {
-    if (members.size() <= group_size() || !is_crowded(members)) continue;
+    if (members.size() <= group_size() || !are_crowded(members)) continue;
     sort_in_space(members);
     const auto [node, negated] = key;
     const Rule rule = nodes[node].rule;
@@ -263,7 +257,7 @@ class Reduction {
   Result<void> combine() {
     grid::in_stretches(parts_.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
       Part& part = parts_[i];
-      Result<Body> result = evaluate(part.task.operands, part.task.expression, Run{{}, run_.cancel, {}});
+      Result<Body> result = evaluate(part.task.operands, part.task.expression, run_.of_part());
       if (result)
         part.result = std::move(result).value();
       else

@@ -3,17 +3,19 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 
 #include "quoin/result.h"
 
 namespace quoin::booleans {
 
-/// As the public Options.
+/// As the public Options, and what is counted.
 struct Run {
   std::function<void(double)> progress = {};
   const std::atomic<bool>* cancel = nullptr;
   std::function<void(const char*)> stage = {};
+  std::atomic<std::uint64_t>* pairs = nullptr;  // grows by the pairs of faces that operations find
 
   /// Announces a stage. False when the run was cancelled.
   bool begin(const char* name, double fraction) const {
@@ -24,6 +26,8 @@ struct Run {
   void end() const {
     if (progress) progress(1);
   }
+  /// For one of several operations side by side, which announce nothing.
+  Run of_part() const { return {{}, cancel, {}, pairs}; }
 };
 
 inline Error cancelled() { return {ErrorCode::cancelled, "the operation was cancelled"}; }

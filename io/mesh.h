@@ -123,7 +123,7 @@ std::uint64_t max_bytes(Format format);
 bool fits(std::uint64_t points, std::uint64_t triangles, Format format);
 
 /// A whole file; "-" is standard input. Errors: "missing-file", "unreadable", "too-large": a regular file by its size,
-/// before it is read.
+/// before it is read; "unknown-format": a stream that begins with more zero bytes than any format does.
 Result<std::string> read_file(const std::string& path, const Limits& limits = {});
 /// Writes beside `path`, synchronises and renames: the file appears whole or not at all; "-" is standard output.
 /// What was there keeps its owner, group and permissions. Symbolic links stay and what they name is replaced.

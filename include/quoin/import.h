@@ -50,6 +50,8 @@ struct ImportReport {
   /// Polygons that were not planar after snapping and were triangulated.
   std::uint64_t nonplanar_polygons = 0;
   /// Pairs of faces that crossed, overlapped or touched out of place, all resolved (inside is winding number > 0).
+  /// Where many shells crowd each other they are united group by group, and counted are the pairs that were found to
+  /// meet.
   std::uint64_t resolved_crossings = 0;
   /// Shells that look inwards and bound nothing of the result: nothing is left of them, since inside is winding
   /// number > 0. A body that is inside out among others is one; a void within a body is none. Not counted with

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grid/lists/loops.h"
+#include "rounding/shapes/outline_sweep.h"
 #include "rounding/shapes/polyhedron.h"
 
 namespace quoin::rounding {
@@ -40,115 +41,87 @@ std::optional<Outline> without_straight_corners(Outline loop) {
 
 std::string text(const PlanePoint& p) { return "(" + exact::to_string(p[0]) + ", " + exact::to_string(p[1]) + ")"; }
 
-struct Side {
-  PlanePoint from, to;
-  std::size_t loop, at, count;
-  const Rational& low() const { return std::min(from[0], to[0]); }
-  const Rational& high() const { return std::max(from[0], to[0]); }
-};
-
 int orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) { return cross(b - a, c - a).sign(); }
 
-/// Whether two sides meet, but for neighbours in their common corner.
-bool meet(const Side& a, const Side& b) {
-  if (std::max(a.from[1], a.to[1]) < std::min(b.from[1], b.to[1]) ||
-      std::max(b.from[1], b.to[1]) < std::min(a.from[1], a.to[1]))
-    return false;
+/// The corners of outlines, one after the other.
+struct OutlineCorners {
+  std::vector<const PlanePoint*> at;
+  std::vector<std::uint32_t> starts{0};
 
-  const auto precedes = [](const Side& s, const Side& t) { return grid::next_in_loop(s.at, s.count) == t.at; };
-  if (a.loop == b.loop && (precedes(a, b) || precedes(b, a))) return false;
-
-  const int p = orientation(a.from, a.to, b.from), q = orientation(a.from, a.to, b.to);
-  const int r = orientation(b.from, b.to, a.from), s = orientation(b.from, b.to, a.to);
-  if (p == 0 && q == 0) return std::max(a.low(), b.low()) <= std::min(a.high(), b.high());
-  return p * q <= 0 && r * s <= 0;
-}
-
-/// Where two outlines meet or one meets itself; by a sweep over the sides' extents along x.
-std::optional<Error> crossing_fault(const std::vector<Outline>& loops) {
-  std::vector<Side> sides;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    const Outline& loop = loops[l];
-    const std::size_t n = loop.size();
-    for (std::size_t i = 0; i < n; ++i) sides.push_back({loop[i], loop[grid::next_in_loop(i, n)], l, i, n});
+  void add(const Outline& outline) {
+    for (const PlanePoint& p : outline) at.push_back(&p);
+    starts.push_back(static_cast<std::uint32_t>(at.size()));
   }
-
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.low() < b.low(); });
-  std::vector<const Side*> active;
-  for (const Side& side : sides) {
-    std::erase_if(active, [&](const Side* other) { return other->high() < side.low(); });
-    for (const Side* other : active)
-      if (meet(*other, side))
-        return bad_primitive("the outlines of an extrusion cross or touch near " + text(side.from) + " to " +
-                             text(side.to));
-    active.push_back(&side);
+  int compare(std::uint32_t a, std::uint32_t b) const {
+    const int x = (*at[a])[0].compare((*at[b])[0]), order = x != 0 ? x : (*at[a])[1].compare((*at[b])[1]);
+    return (order > 0) - (order < 0);
   }
-  return std::nullopt;
-}
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return rounding::orientation(*at[a], *at[b], *at[c]);
+  }
+};
 
-/// Precondition: p is on no side.
-bool is_inside(const PlanePoint& p, const Outline& loop) {
-  bool inside = false;
-  grid::for_loop_edges(loop, [&](const PlanePoint& a, const PlanePoint& b) {
-    if ((a[1] > p[1]) != (b[1] > p[1])) inside ^= (orientation(a, b, p) > 0) == (b[1] > a[1]);
-  });
-  return inside;
+/// The first corner in lexicographic order is one of the convex hull. Precondition: the outline turns there.
+bool is_counter_clockwise(const Outline& loop) {
+  const auto first = static_cast<std::size_t>(std::min_element(loop.begin(), loop.end()) - loop.begin());
+  const std::size_t n = loop.size();
+  return orientation(loop[grid::previous_in_loop(first, n)], loop[first], loop[grid::next_in_loop(first, n)]) > 0;
 }
 
 /// One outline of a region: the first counter-clockwise, the others clockwise.
 Result<Outline> turned(const Outline& given, bool is_hole) {
   auto loop = without_straight_corners(given);
   if (!loop) return bad_primitive("an outline of an extrusion runs back on itself, or encloses no area");
-  const Rational area = doubled_area(*loop);
-  if (loop->size() < 3 || area == 0) return bad_primitive("an outline of an extrusion encloses no area");
-
-  if ((area > 0) == is_hole) std::reverse(loop->begin(), loop->end());
+  if (loop->size() < 3) return bad_primitive("an outline of an extrusion encloses no area");
+  if (is_counter_clockwise(*loop) == is_hole) std::reverse(loop->begin(), loop->end());
   return std::move(*loop);
 }
 
-/// A hole that is not inside its outline, or is inside another hole. Precondition: no two outlines meet.
-std::optional<Error> hole_fault(const Region& region) {
-  for (std::size_t h = 1; h < region.size(); ++h) {
-    const PlanePoint& p = region[h][0];
-    bool fits = is_inside(p, region[0]);
-    for (std::size_t g = 1; g < region.size(); ++g) fits = fits && (g == h || !is_inside(p, region[g]));
-    if (!fits) return bad_primitive("a hole of an extrusion does not lie inside its outline alone, at " + text(p));
+/// Each hole lies in its own outline alone, and each first outline outside of all, or in a hole.
+std::optional<Error> nesting_fault(const std::vector<Region>& regions) {
+  OutlineCorners corners;
+  std::vector<bool> is_hole;
+  for (const Region& region : regions)
+    for (const Outline& outline : region) {
+      is_hole.push_back(&outline != &region[0]);
+      corners.add(outline);
+    }
+
+  const Nesting nesting = OutlineSweep(corners, corners.starts).run();
+  if (const std::uint32_t side = nesting.meeting; side != Nesting::none) {
+    const auto begin = std::upper_bound(corners.starts.begin(), corners.starts.end(), side);
+    const std::uint32_t next = side + 1 == *begin ? *(begin - 1) : side + 1;
+    return bad_primitive("the outlines of an extrusion cross or touch near " + text(*corners.at[side]) + " to " +
+                         text(*corners.at[next]));
+  }
+
+  std::uint32_t first = 0;
+  for (const Region& region : regions) {
+    for (std::uint32_t h = 1; h < region.size(); ++h)
+      if (nesting.around[first + h] != first)
+        return bad_primitive("a hole of an extrusion does not lie inside its outline alone, at " + text(region[h][0]));
+    const std::uint32_t around = nesting.around[first];
+    if (around != Nesting::none && !is_hole[around])
+      return bad_primitive("polygons of an extrusion overlap at " + text(region[0][0]));
+    first += static_cast<std::uint32_t>(region.size());
   }
   return std::nullopt;
-}
-
-/// A region that begins inside another one and not in a hole of it. Precondition: no two outlines meet.
-std::optional<Error> overlap_fault(const Region& region, const Region& other) {
-  const PlanePoint& p = region[0][0];
-  if (!is_inside(p, other[0])) return std::nullopt;
-  for (std::size_t g = 1; g < other.size(); ++g)
-    if (is_inside(p, other[g])) return std::nullopt;
-  return bad_primitive("polygons of an extrusion overlap at " + text(p));
 }
 
 }  // namespace
 
 Result<std::vector<Region>> oriented(const std::vector<Region>& regions) {
   std::vector<Region> result;
-  std::vector<Outline> all;
   for (const Region& region : regions) {
     if (region.empty()) return bad_primitive("a polygon of an extrusion has no outline");
     Region& out = result.emplace_back();
     for (const Outline& given : region) {
       auto outline = turned(given, !out.empty());
       if (!outline) return outline.error();
-      all.push_back(outline.value());
       out.push_back(std::move(outline).value());
     }
   }
-
-  if (auto fault = crossing_fault(all)) return *fault;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    if (auto fault = hole_fault(result[i])) return *fault;
-    for (std::size_t j = 0; j < result.size(); ++j)
-      if (j != i)
-        if (auto fault = overlap_fault(result[i], result[j])) return *fault;
-  }
+  if (auto fault = nesting_fault(result)) return *fault;
   return result;
 }
 

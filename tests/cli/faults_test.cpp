@@ -71,6 +71,17 @@ TEST_F(Faults, EveryCallForMemoryMayFail) {
   expect_a_clean_end({"eval", "cut.json", "-o", "out.stl", "--json"}, "out.stl", true, 101);
 }
 
+// Any of these models would take millions of calls, or numbers of millions of digits.
+TEST_F(Faults, WhatIsTooLargeIsRefusedBeforeItsWork) {
+  const auto model = [](const std::string& node) { return "{\"quoin-model\": 1, \"model\": " + node + "}"; };
+  put("ball.json", model(R"({"sphere": {"radius": 1, "sides": 1000000}})"));
+  put("dots.json", model(R"({"tangent-sphere": {"radius": 1, "planes": 65536}})"));
+  put("long.json", model("{\"block\": {\"size\": [" + std::string(1000000, '7') + ", 1, 1]}}"));
+  for (const char* file : {"ball.json", "dots.json", "long.json"})
+    expect_error(run_with({{"MEMORY", "2000"}, {"REST", "1"}}, {"eval", file, "-o", "out.off", "--json"}), 1,
+                 "too-large", file);
+}
+
 TEST_F(Faults, WhereNoThreadStartsTheCallerDoesAll) {
   put("ball.json", R"({"quoin-model": 1, "model": {"sphere": {"radius": "0.7", "sides": 96}}})");
   ASSERT_EQ(run({"eval", "ball.json", "-o", "ball.off"}).code, 0);

@@ -170,9 +170,47 @@ TEST_F(File, BytesAreLimited) {
   EXPECT_EQ(read.error().message, "the file has more bytes than the limit \"bytes\" allows: 3");
   EXPECT_EQ(read.error().file, path("a"));
   limits.stream_bytes = 1000000;
-  const Result<std::string> zeros = read_file("/dev/zero", limits);
-  ASSERT_FALSE(zeros);
-  EXPECT_EQ(zeros.error().message, "the file has more bytes than the limit \"stream-bytes\" allows: 1000000");
+  const Result<std::string> stream = read_file("/dev/urandom", limits);
+  ASSERT_FALSE(stream);
+  EXPECT_EQ(stream.error().message, "the file has more bytes than the limit \"stream-bytes\" allows: 1000000");
+}
+
+// A binary STL without facets is 84 zeros and less than the 50 bytes of a facet; a stream of more is not read on.
+TEST_F(File, AStreamOfZerosIsNotReadToItsEnd) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const auto read_through = [&](const std::string& bytes) {
+    std::thread writer([&] {
+      const int number = ::open(path("pipe").c_str(), O_WRONLY);
+      for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t put = ::write(number, bytes.data() + at, std::min<std::size_t>(bytes.size() - at, 100));
+        if (put < 0) break;
+        at += static_cast<std::size_t>(put);
+      }
+      ::close(number);
+    });
+    Result<std::string> read = read_file(path("pipe"));
+    writer.join();
+    return read;
+  };
+  const auto ignored = std::signal(SIGPIPE, SIG_IGN);
+  for (const std::size_t zeros : {0u, 84u, 133u}) {
+    const std::string bytes(zeros, '\0');
+    EXPECT_EQ(read_through(bytes).value(), bytes);
+    EXPECT_EQ(read_through(bytes + "x" + std::string(1000, '\0')).value(), bytes + "x" + std::string(1000, '\0'));
+  }
+  for (const std::size_t zeros : {134u, 1000000u}) {
+    const Result<std::string> read = read_through(std::string(zeros, '\0'));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::unknown_format);
+    EXPECT_EQ(read.error().file, path("pipe"));
+  }
+  (void)std::signal(SIGPIPE, ignored);
+
+  Limits limits;
+  limits.stream_bytes = UINT64_MAX;
+  EXPECT_EQ(read_file("/dev/zero", limits).error().code, ErrorCode::unknown_format);
+  ASSERT_EQ(write_code(path("zeros"), std::string(1000, '\0')), "");
+  EXPECT_EQ(read_file(path("zeros")).value(), std::string(1000, '\0'));
 }
 
 TEST_F(File, PipesAreWrittenThrough) {
