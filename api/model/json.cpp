@@ -370,9 +370,10 @@ Result<Model> read_mesh(const Json& json, const Json& body, Reading& reading) {
                           ": --any-path, or ModelFiles::anywhere, allows others");
 
   ImportReport report;
-  auto solid = quoin::read_solid(path, {.limits = reading.options.limits}, &report);
-  if (!solid) return solid.error();
+  const ImportOptions options = {.repair = reading.options.repair, .limits = reading.options.limits};
+  auto solid = quoin::read_solid(path, options, &report);
   note_import(path, report, reading);
+  if (!solid) return solid.error();
 
   auto made = node_at(json, ModelKind::solid);
   made->solid = std::move(solid).value();

@@ -21,6 +21,7 @@
 #include "quoin/limits.h"
 #include "quoin/motion.h"
 #include "quoin/options.h"
+#include "quoin/repair.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
 
@@ -56,6 +57,8 @@ enum class ModelFiles {
 
 struct ModelReadOptions {
   ModelFiles files = ModelFiles::below;
+  /// Cures of the meshes that the text names; none by default.
+  Repair repair = {};
   Limits limits = {};
 };
 
@@ -131,8 +134,8 @@ class QUOIN_API Model {
   /// The model as JSON text (docs/model-format.md), without loss: shared subtrees stay shared.
   std::string to_json() const;
   /// Meshes that the text names are read relative to `folder`; `imports`, when given, receives each of their files
-  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), "too-large", and those of
-  /// `read`.
+  /// once, in the order of the text: one that is refused is the last, with what is wrong with it. Errors: "bad-model"
+  /// (`where` is "line L, column C"), "too-large", and those of `read`.
   static Result<Model> from_json(std::string_view text, const std::string& folder = ".",
                                  std::vector<MeshImport>* imports = nullptr, const ModelReadOptions& options = {});
   /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,
