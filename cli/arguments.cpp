@@ -179,12 +179,10 @@ std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOpt
                 a.command == Command::check || a.command == Command::eval
                     ? "Changes nothing here: all is proved."
                     : "Skip the proof that no operand crosses itself.");
-  if (a.command != Command::eval)
-    app->add_option(
-        "--repair", raw.repair,
-        "NAME[=VALUE],...: cures for meshes that are open or inside out, each reported: weld=TOL, "
-        "t-junctions=TOL, duplicates, orient, orient=solid, caps, caps=SIZE, invert-shells; all: every one, "
-        "with tolerances taken from the mesh. `check` says which one is needed.");
+  app->add_option("--repair", raw.repair,
+                  "NAME[=VALUE],...: cures for meshes that are open or inside out, each reported: weld=TOL, "
+                  "t-junctions=TOL, duplicates, orient, orient=solid, caps, caps=SIZE, invert-shells; all: every one, "
+                  "with tolerances taken from the mesh. `check` says which one is needed.");
   app->add_option("--format", raw.format,
                   format_names() +
                       ": what \"-\" is, and files without a known extension; also chooses among the formats of an "

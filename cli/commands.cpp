@@ -189,11 +189,16 @@ Result<Computed> evaluate_model(Session& session, std::vector<MeshImport>& impor
   const Arguments& a = session.arguments;
   const std::string& path = a.inputs[0];
   const auto model = session.times.measure(Stage::read, [&] {
-    return Model::read(
-        path, &imports,
-        {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below, .unit = a.unit, .limits = a.limits});
+    const ModelReadOptions options = {.files = a.any_path ? ModelFiles::anywhere : ModelFiles::below,
+                                      .unit = a.unit,
+                                      .repair = a.repair,
+                                      .limits = a.limits};
+    return Model::read(path, &imports, options);
   });
-  if (!model) return model.error();
+  if (!model) {
+    if (!imports.empty()) keep_findings(imports.back().report.findings);
+    return model.error();
+  }
   warn_of_losses(a, imports);
 
   Computed computed;

@@ -54,7 +54,7 @@ Examples:
     {Command::eval, "eval", "Evaluates a model: primitives, motions and Booleans in a JSON file.",
      R"(The format is described in docs/model-format.md. All motions above a primitive act at once, and it is rounded once.
 eval always proves that no mesh or solid of the model crosses itself: --trust changes nothing.
-A model may name files in its folder and below; --any-path lets it name others.
+A model may name files in its folder and below; --any-path lets it name others. --repair cures each mesh among them.
 Examples:
   quoin eval bracket.json -o bracket.stl
   quoin eval gearbox.json --set width=120 --set holes=6 -o gearbox.quoin --json)"},

@@ -28,7 +28,8 @@ struct Repaired {
 };
 
 /// Cures a surface as asked. It may still be open. Triangles have three corners of different places; points are
-/// pairwise distinct. The result is in canonical order and a function of the positions of the triangles, as a set.
+/// pairwise distinct. Where nothing is to be cured the surface stays as it is; else the result is in canonical order
+/// and a function of the positions of the triangles, as a set.
 Repaired repair(Surface& surface, const Cures& cures, const Lattice& lattice);
 
 /// What is wrong with a surface, in the order in which it would be cured: nothing where it is closed and no shell is

@@ -70,7 +70,7 @@ void for_edges(const Array<EdgeUse>& uses, Visit&& visit) {
   }
 }
 
-Partition closed_parts(std::span<const Triangle> triangles) {
+Partition closed_parts(std::span<const Triangle> triangles, bool& has_crowded_edges) {
   const Array<EdgeUse> uses = edge_uses(triangles);
   Partition parts(triangles.size());
 
@@ -81,7 +81,9 @@ Partition closed_parts(std::span<const Triangle> triangles) {
 
   // Only now is known what hangs together anyway.
   for_edges(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() > 2) unite_open_parts(edge, parts);
+    if (edge.size() == 2) return;
+    has_crowded_edges = true;
+    unite_open_parts(edge, parts);
   });
   return parts;
 }
@@ -95,8 +97,8 @@ int128 six_volumes(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
 }  // namespace
 
 Shells shells(std::span<const GridPoint> points, std::span<const Triangle> triangles) {
-  Partition parts = closed_parts(triangles);
   Shells result;
+  Partition parts = closed_parts(triangles, result.has_crowded_edges);
   result.of_triangle.resize(triangles.size());
 
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

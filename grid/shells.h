@@ -18,6 +18,8 @@ struct Shells {
   Array<std::uint32_t> of_triangle;
   /// Six times the signed volume of each shell, cubic grid steps: negative when its faces look inwards.
   Array<exact::int128> six_volumes;
+  /// Whether more than two triangles meet at an edge. Where none do the order of the list decides nothing.
+  bool has_crowded_edges = false;
 };
 
 /// Triangles hang together over edges that they alone share. Parts that more triangles meet at an edge of are united

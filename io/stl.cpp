@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 
 #include "io/formats.h"
@@ -167,18 +168,23 @@ class AsciiStlReader {
     for (int i = 0; i < 3; ++i) {
       if (!vertex()) return false;
     }
-    if (!expect("endloop") || !expect("endfacet")) return false;
-    skip_words();
+    if (!expect("endloop")) return false;
+    skip_words({"endfacet"});
+    if (!expect("endfacet")) return false;
+    skip_words({"facet", "endsolid"});
     if (mesh_.points.size() / 9 > max_facets) return in_.fail(ErrorCode::absurd_count, "the file has too many facets");
     return true;
   }
 
-  /// On the line of "endfacet", up to the next statement.
-  void skip_words() {
+  /// On this line, up to one of the statements that may follow.
+  void skip_words(std::initializer_list<std::string_view> statements) {
+    const auto is_next = [&](std::string_view word) {
+      return std::any_of(statements.begin(), statements.end(),
+                         [&](std::string_view statement) { return equal_ignoring_case(word, statement); });
+    };
     for (in_.skip_blanks(); !in_.at_line_end(); in_.skip_blanks()) {
       const char* place = in_.position();
-      const std::string_view word = in_.word();
-      if (equal_ignoring_case(word, "facet") || equal_ignoring_case(word, "endsolid")) return in_.move_to(place);
+      if (is_next(in_.word())) return in_.move_to(place);
       ++words_;
     }
   }

@@ -441,10 +441,10 @@ Result<std::vector<Solid>> read(const std::vector<std::string>& paths, const Imp
 }
 
 Result<Solid> read_solid(const std::string& path, const ImportOptions& options, ImportReport* report) {
-  std::vector<ImportReport> reports;
+  std::vector<ImportReport> reports(1);
   auto solids = read({path}, options, &reports);
-  if (!solids) return solids.error();
   if (report) *report = reports[0];
+  if (!solids) return solids.error();
   return std::move(solids.value()[0]);
 }
 

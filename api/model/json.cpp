@@ -379,9 +379,9 @@ Result<Model> read_mesh(const Json& json, const Json& body, Reading& reading) {
   std::vector<Source> one;
   one.push_back(std::move(source).value());
   std::vector<ImportReport> reports;
-  auto solids = build(std::move(one), {.limits = limits}, &reports);
+  auto solids = build(std::move(one), {.repair = reading.options.repair, .limits = limits}, &reports);
+  if (!reports.empty()) note_import(path, reports[0], unit, reading);
   if (!solids) return solids.error();
-  note_import(path, reports[0], unit, reading);
 
   auto made = node_at(json, ModelKind::solid);
   made->solid = std::move(solids.value()[0]);

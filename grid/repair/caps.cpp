@@ -17,15 +17,14 @@ namespace {
 
 using AreaVector = std::array<int128, 3>;
 
-/// How far from a plane the corners of a planar hole may lie, squared grid steps.
-constexpr int planar_squared = 16;
+/// How far from a plane the corners of a planar hole may lie, squared grid steps; and of a flat one, by the square of
+/// the hole's size.
+constexpr int planar_squared = 16, flat_squared = 32 * 32;
 
 void add_cross(AreaVector& sum, const GridPoint& p, const GridPoint& q, const GridPoint& r) {
   const GridVector area = cross(between(p, q), between(p, r));
   for (std::size_t k = 0; k < 3; ++k) sum[k] += area[k];
 }
-int128 absolute(int128 v) { return v < 0 ? -v : v; }
-int128 length_by_sum(const AreaVector& v) { return absolute(v[0]) + absolute(v[1]) + absolute(v[2]); }
 Integer inner_product(const AreaVector& v, const AreaVector& w) {
   Integer sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += exact::to_integer(v[k]) * exact::to_integer(w[k]);
@@ -47,7 +46,7 @@ struct Hole {
   Array<std::uint32_t> corners;
   AreaVector normal{};  // twice the area of the cap
   Box box;
-  bool is_planar = false;
+  bool is_planar = false, is_flat = false;
 
   int128 squared_size() const { return squared_distance(box.low, box.high); }
 };
@@ -110,13 +109,17 @@ class HoleFinder {
       add_cross(hole.normal, p, points_[hole.corners[i - 1]], points_[hole.corners[i]]);
     for (const std::uint32_t v : hole.corners) hole.box.add(points_[v]);
 
-    const Integer most = planar_squared * inner_product(hole.normal, hole.normal);
-    hole.is_planar = std::all_of(hole.corners.begin(), hole.corners.end(), [&](std::uint32_t v) {
+    if (hole.normal == AreaVector{}) return;
+    Integer most = 0;  // the square of the height over the plane, times that of the normal's length
+    for (const std::uint32_t v : hole.corners) {
       const GridPoint& q = points_[v];
       const Integer height =
           inner_product(hole.normal, {q[0] - int128(p[0]), q[1] - int128(p[1]), q[2] - int128(p[2])});
-      return height * height <= most;
-    });
+      most = std::max<Integer>(most, height * height);
+    }
+    const Integer squared_normal = inner_product(hole.normal, hole.normal);
+    hole.is_planar = most <= planar_squared * squared_normal;
+    hole.is_flat = flat_squared * most <= exact::to_integer(hole.squared_size()) * squared_normal;
   }
 
   /// An edge that is not used yet and begins at a vertex.
@@ -142,49 +145,41 @@ class Pieces {
   explicit Pieces(const Surface& surface)
       : surface_(surface),
         piece_of_(surface.triangles.size()),
-        boxes_(surface.triangles.size()),
         areas_(surface.triangles.size()),
         triangle_at_(surface.points.size()) {
     for_edges(edge_uses(surface.triangles), [&](std::span<const EdgeUse> edge) {
       for (const EdgeUse& use : edge) piece_of_.unite(edge[0].triangle(), use.triangle());
       if (excess(edge) != 0) triangle_at_[edge[0].low] = triangle_at_[edge[0].high] = edge[0].triangle();
     });
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      const std::uint32_t piece = piece_of_.find(t);
-      for (const std::uint32_t v : surface.triangles[t]) boxes_[piece].add(surface.points[v]);
-      areas_[piece] += length_by_sum(normal(t));
-    }
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+      areas_[piece_of_.find(t)] += surface.area(surface.triangles[t]);
   }
 
-  /// Whether a hole is small beside the surface around it.
-  bool is_small(const Hole& hole) {
-    const std::uint32_t piece = piece_of(hole);
-    if (!hole.is_planar) return 64 * hole.squared_size() <= squared_distance(boxes_[piece].low, boxes_[piece].high);
-    const int128 cap = length_by_sum(hole.normal);
-    return 2 * cap <= areas_[piece] && (16 * cap <= areas_[piece] || !is_terrain(piece, hole));
+  /// Whether a hole with this cap is small beside the surface around it.
+  bool is_small(const Hole& hole, std::span<const Triangle> cap) {
+    int128 area = 0;
+    for (const Triangle& t : cap) area += surface_.area(t);
+    const std::uint32_t piece = piece_of_.find(triangle_at_[hole.corners[0]]);
+    return (hole.is_planar || hole.is_flat ? 2 : 64) * area <= areas_[piece] &&
+           (256 * area <= areas_[piece] || !is_terrain(piece, hole));
   }
 
  private:
-  std::uint32_t piece_of(const Hole& hole) { return piece_of_.find(triangle_at_[hole.corners[0]]); }
-
-  AreaVector normal(std::uint32_t t) const {
-    AreaVector n{};
-    const auto& [a, b, c] = surface_.triangles[t];
-    add_cross(n, surface_.points[a], surface_.points[b], surface_.points[c]);
-    return n;
-  }
-
   /// Whether all of a piece lies over its hole, seen along the cap's normal: no triangle looks as the cap does, or
-  /// sidewise. Asked of large holes alone, of which a piece has few.
+  /// sidewise. Asked of caps of a 256th of the piece and more alone, of which it has few.
   bool is_terrain(std::uint32_t piece, const Hole& hole) {
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      if (piece_of_.find(t) == piece && inner_product(normal(t), hole.normal) >= 0) return false;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      if (piece_of_.find(t) != piece) continue;
+      const auto& [a, b, c] = surface_.triangles[t];
+      AreaVector normal{};
+      add_cross(normal, surface_.points[a], surface_.points[b], surface_.points[c]);
+      if (inner_product(normal, hole.normal) >= 0) return false;
+    }
     return true;
   }
 
   const Surface& surface_;
   Partition piece_of_;
-  Array<Box> boxes_;
   Array<int128> areas_;
   Array<std::uint32_t> triangle_at_;  // of a boundary vertex
 };
@@ -201,9 +196,11 @@ std::array<Damage, 2> close_holes(Surface& surface, const Caps& caps, bool look)
   Cutter cutter(surface.points);
   Array<Triangle> lids;
   for (const Hole& hole : holes) {
+    const std::size_t before = lids.size();
+    if (!look && hole.corners.size() > 2) cutter.cut(hole.corners, lids);
     const bool is_asked = (caps.planar && hole.is_planar) || (caps.up_to && caps.up_to->holds(hole.squared_size())) ||
-                          (caps.careful && pieces.is_small(hole));
-    if (is_asked && hole.corners.size() > 2) cutter.cut(hole.corners, lids);
+                          (caps.careful && pieces.is_small(hole, std::span(lids).subspan(before)));
+    if (!is_asked) lids.resize(before);
     if (is_asked || look)
       damage[hole.is_planar ? 0 : 1].add(length_of(hole.squared_size()), surface.points[hole.corners[0]]);
   }

@@ -20,8 +20,9 @@ Damage join_t_junctions(Surface& surface, const Reach& reach);
 
 /// Drops copies of triangles, also opposite ones, where that leaves fewer open edges.
 Damage drop_duplicates(Surface& surface);
-/// Drops what hangs on the rest by edges that are closed without it, and flat pieces that hang on nothing.
-Damage drop_flaps(Surface& surface);
+/// Drops what hangs on the rest by edges that are closed without it, where `careful` only what has at most half of the
+/// rest's area; and flat pieces that hang on nothing.
+Damage drop_flaps(Surface& surface, bool careful);
 
 /// Turns triangles so that neighbours agree: along edges of two triangles, and along others in turns around the edge,
 /// where they do not agree as they are. Of triangles that hang together so the fewer turn.

@@ -160,11 +160,17 @@ class Patches {
     });
   }
 
-  /// At each edge that an odd number of patches meet at, the smallest of those that end elsewhere in nothing.
-  Array<std::uint32_t> flaps() {
+  /// At each edge that an odd number of patches meet at, the smallest of those that end elsewhere in nothing; where
+  /// `careful`, of those alone that have at most half of the area of the rest of their piece.
+  Array<std::uint32_t> flaps(bool careful) {
     Array<std::uint32_t> size(surface_.triangles.size());
+    Array<exact::int128> area(surface_.triangles.size()), piece_area(surface_.triangles.size());
     Array<std::uint8_t> has_free_edge(surface_.triangles.size()), is_flap(surface_.triangles.size());
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) ++size[patch_of_.find(t)];
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      ++size[patch_of_.find(t)];
+      area[patch_of_.find(t)] += surface_.area(surface_.triangles[t]);
+      piece_area[piece_of_.find(t)] += surface_.area(surface_.triangles[t]);
+    }
     for_edges(uses_, [&](std::span<const EdgeUse> edge) {
       if (edge.size() == 1) has_free_edge[patch_of_.find(edge[0].triangle())] = 1;
     });
@@ -179,6 +185,7 @@ class Patches {
       for (std::size_t i = 0, j = 0; i < roots.size(); i = j) {
         while (j < roots.size() && roots[j] == roots[i]) ++j;
         if ((j - i) % 2 == 0 || has_free_edge[roots[i]] == 0) continue;
+        if (careful && 3 * area[roots[i]] > piece_area[piece_of_.find(roots[i])]) continue;
         const std::pair one{size[roots[i]], roots[i]};
         if (!smallest || one < *smallest) smallest = one;
       }
@@ -243,11 +250,11 @@ Damage drop_duplicates(Surface& surface) {
   return damage;
 }
 
-Damage drop_flaps(Surface& surface) {
+Damage drop_flaps(Surface& surface, bool careful) {
   Damage damage{Defect::flap};
   // A flap on a flap is one when that which it hangs on is gone.
   for (;;) {
-    const Array<std::uint32_t> flaps = Patches(surface).flaps();
+    const Array<std::uint32_t> flaps = Patches(surface).flaps(careful);
     if (flaps.empty()) break;
     drop(surface, flaps, damage);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <tuple>
 
@@ -38,6 +39,11 @@ void Surface::sort() {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
   std::sort(triangles.begin(), triangles.end());
+}
+
+std::int64_t Surface::area(const Triangle& t) const {
+  const Vector v = cross(between(points[t[0]], points[t[1]]), between(points[t[0]], points[t[2]]));
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
 void Surface::drop_flat() {

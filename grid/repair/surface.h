@@ -22,6 +22,8 @@ struct Surface {
 
   /// Brings into canonical order, without the points that no triangle has.
   void sort();
+  /// Twice the area of a triangle, |x| + |y| + |z| of its vector, which is exact; below 2^63.
+  std::int64_t area(const Triangle& t) const;
   /// Drops triangles without area.
   void drop_flat();
   /// Seals exact T-junctions, whichever way the triangles look. Returns the points put on edges.

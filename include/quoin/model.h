@@ -22,6 +22,7 @@
 #include "quoin/limits.h"
 #include "quoin/motion.h"
 #include "quoin/options.h"
+#include "quoin/repair.h"
 #include "quoin/result.h"
 #include "quoin/solid.h"
 
@@ -62,6 +63,8 @@ struct ModelReadOptions {
   /// What the numbers of files are converted to that state another unit (quoin/files.h, `read_source`). Without it
   /// files that state different units are refused. Numbers of the model are in it, or in the unit of the files.
   std::optional<Unit> unit = {};
+  /// Cures of the meshes that the text names; none by default.
+  Repair repair = {};
   Limits limits = {};
 };
 
@@ -137,8 +140,8 @@ class QUOIN_API Model {
   /// The model as JSON text (docs/model-format.md), without loss: shared subtrees stay shared.
   std::string to_json() const;
   /// Meshes that the text names are read relative to `folder`; `imports`, when given, receives each of their files
-  /// once, in the order of the text. Errors: "bad-model" (`where` is "line L, column C"), "too-large", "mixed-units",
-  /// and those of `read`.
+  /// once, in the order of the text: one that is refused is the last, with what is wrong with it. Errors: "bad-model"
+  /// (`where` is "line L, column C"), "too-large", "mixed-units", and those of `read`.
   static Result<Model> from_json(std::string_view text, const std::string& folder = ".",
                                  std::vector<MeshImport>* imports = nullptr, const ModelReadOptions& options = {});
   /// A file of such text, whose meshes are beside it; "-" is standard input. Errors: those of `from_json` and `read`,

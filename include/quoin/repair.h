@@ -62,7 +62,7 @@ struct Repair {
   std::string weld = {};
   /// Boundary edges bend to boundary vertices within this distance, where that closes a part of them.
   std::string t_junctions = {};
-  /// Exact duplicates of faces at which the surface is not closed go, and so do flaps.
+  /// Exact duplicates of faces at which the surface is not closed go, and so do flaps of any size.
   bool duplicates = false;
   Orient orient = Orient::as_is;
   /// Planar holes (within 4 grid steps) are closed, whatever their size.
@@ -72,10 +72,10 @@ struct Repair {
   /// Shells that look inwards and lie in no other one are turned round, with those directly inside that look outwards.
   bool invert_shells = false;
   /// Everything, with tolerances taken from the mesh. A gap is closed where it is at most 1/8 of the shortest edge at
-  /// its ends and 1/128 of the mesh's extent; a planar hole where its cap has at most half of the area of the surface
-  /// around it (areas by |x| + |y| + |z|) and that surface is no terrain over it; another hole where it is at most 1/8
-  /// as large as that surface. Neighbours are oriented alike, as most of them are; closed shells are only turned as
-  /// `invert_shells` does.
+  /// its ends and 1/128 of the mesh's extent; a hole where its cap has at most half of the area of the surface around
+  /// it (areas by |x| + |y| + |z|), 1/64 if its rim bends out of a plane by more than 1/32 of its size, and that
+  /// surface is no terrain over it. A flap goes where it has at most half of the area of what it hangs on. Neighbours
+  /// are oriented alike, as most of them are; closed shells are only turned as `invert_shells` does.
   bool all = false;
 
   bool is_asked() const;

@@ -91,6 +91,34 @@ TEST_F(CliTest, EvalOfAModelWithoutMeshesImportsNothing) {
   EXPECT_EQ(object["max_snap"], 0);
 }
 
+// A cube without one of its faces.
+TEST_F(CliTest, EvalCuresTheMeshesOfAModel) {
+  std::string text = cube("0", "2");
+  text.replace(text.find("8 6 0"), 5, "8 5 0");
+  put("open.off", text.substr(0, text.rfind("4 1 3 7 5")));
+  put("model.json", R"({"quoin-model": 1, "model": {"union": [{"mesh": {"file": "a.off"}},
+    {"translate": {"by": [9, 0, 0], "of": {"mesh": {"file": "open.off"}}}}]}})");
+  const Outcome refused = run({"eval", "model.json", "-o", "out.quoin", "--json"});
+  expect_error(refused, 1, "open-boundary", "./open.off");
+  ASSERT_EQ(refused.json()["findings"].size(), 1U);
+  EXPECT_EQ(refused.json()["findings"][0]["cure"], "caps");
+
+  const Words words{"eval", "model.json", "-o", "out.quoin", "--repair", "caps"};
+  const Outcome plain = run(words);
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.err,
+            "quoin: ./open.off: repaired: 1 planar hole closed, at most 2.828427124746193 across (near (2, 0, 0))\n");
+  Words more = words;
+  more.push_back("--json");
+  const Json import = run(more).json()["import"];
+  ASSERT_EQ(import.size(), 2U);
+  EXPECT_EQ(import[0]["repairs"].size(), 0U);
+  // As for a mesh that is an operand.
+  EXPECT_EQ(import[1]["repairs"],
+            run({"info", "open.off", "--repair", "caps", "--json"}).json()["import"][0]["repairs"]);
+  expect_error(run({"eval", "model.json", "-o", "out.quoin", "--repair", "magic", "--json"}), 2, "usage");
+}
+
 // A plate of a thousandth of a step, beside a block.
 TEST_F(CliTest, APrimitiveThatVanishesIsSaid) {
   put("thin.json", R"({"quoin-model": 1, "model": {"rotate": {"axis": "y", "angle": 30, "of": {"union": [

@@ -192,12 +192,13 @@ TEST(Stl, PrefixesAndMutations) {
 
 TEST(Stl, WordsBehindAFacetArePassedOver) {
   const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
-  const auto mesh = read_stl("solid a\n" + facet + "endfacet 12 red\n" + facet + "endfacet " + facet +
+  const std::string named = facet.substr(0, facet.size() - 1) + " outer 1\n";
+  const auto mesh = read_stl("solid a\n" + facet + "endfacet 12 red\n" + facet + "endfacet " + named +
                              "endfacet endsolid a\nsolid b\nendsolid b\n");
   ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
   EXPECT_EQ(mesh.value().starts.size(), 4U);
   ASSERT_EQ(mesh.value().notices.size(), 2U);
-  EXPECT_EQ(mesh.value().notices[0], (Notice{2, "2 words behind facets are passed over"}));
+  EXPECT_EQ(mesh.value().notices[0], (Notice{4, "4 words behind facets are passed over"}));
   EXPECT_EQ(mesh.value().notices[1], (Notice{1, "1 part without facets is passed over"}));
 }
 

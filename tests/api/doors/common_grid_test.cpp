@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "api/place.h"
 #include "booleans/body/canonical.h"
 #include "tests/api/solids.h"
 
@@ -207,6 +208,48 @@ TEST(CommonGrid, AHoleInAPlate) {
   EXPECT_EQ(volume(plate - hole), "798");
   EXPECT_EQ(volume(plate - tip), "799");
   EXPECT_EQ(volume((plate - tip) + tip), "800");
+}
+
+/// A wedge within a block of 2^26 steps, between two planes whose normals of 62 bits differ in their last bit: on
+/// another grid their offsets are rounded by up to 1/2, and where they meet moves by as many steps as these differ.
+Solid thin_wedge(std::mt19937_64& random) {
+  using exact::Integer;
+  const auto coefficient = [&] { return Integer((std::uint64_t{1} << 61) + (random() >> 4)); };
+  const Integer a = coefficient(), b = coefficient(), c = coefficient();
+  const Integer d = -(a * (random() % 1000) + b * (random() % 1000) + c * (random() % 1000));
+  const HalfSpace below{{a.str(), b.str(), c.str(), d.str()}},
+      above{{Integer(-a - 1).str(), Integer(-b).str(), Integer(-c).str(), Integer(random() % 1000 - d).str()}};
+  const Solid block = box({-0x1p26, -0x1p26, -0x1p26}, {0x1p26, 0x1p26, 0x1p26});
+  return evaluate(Expression(block) & below & above, {.grid_rule = GridRule::exact}).value();
+}
+
+// The second way to see whether planes may be kept: they are asked how far they move what meets in them.
+TEST(CommonGrid, PlanesThatMoveAVertexFarAreNotKept) {
+  auto random = random_engine();
+  int kept = 0, dropped = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Solid solid = thin_wedge(random);
+    const Grid coarse = grid_of(std::to_string((1 << (2 + random() % 20)) + 1) + "/3");
+    const Rounded rounded = rounded_to(solid, coarse, nullptr).value();
+    const Rational step = Access::lattice(coarse).step;
+    EXPECT_LE(rounded.displacement * 8, step * 7) << round;
+
+    const auto shape = shape_of(solid);
+    const rounding::RealizedMotion identity;
+    const auto by_planes = place({{shape.get(), {}, &identity}}, Access::lattice(coarse), Rounding::best, {});
+    const bool is_near =
+        by_planes && by_planes.value().primitives[0].by_planes && by_planes.value().primitives[0].displacement * 8 <= 7;
+    EXPECT_EQ(rounded.by_planes, is_near) << round;
+    ++(is_near ? kept : dropped);
+    if (is_near) {
+      EXPECT_EQ(rounded.displacement, by_planes.value().primitives[0].displacement * step);
+    } else if (!rounded.vanished && rounded.resolved_crossings == 0) {
+      // By vertices: each is a point of the grid then.
+      for (const exact::Point& p : booleans::canonical(Access::body(rounded.solid)).vertices) EXPECT_TRUE(is_grid(p));
+    }
+  }
+  EXPECT_GT(kept, 10);
+  EXPECT_GT(dropped, 10);
 }
 
 // Steps that are no powers of two of each other, and a mesh of long normals between them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -129,6 +130,24 @@ inline void shuffle(Mesh& mesh, std::mt19937_64& random) {
   for (std::size_t t = 0; t < size_of(mesh); ++t) {
     const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(3 * t);
     std::rotate(begin, begin + static_cast<std::ptrdiff_t>(random() % 3), begin + 3);
+  }
+}
+
+/// Walls from the first sides of a landscape of n x n cells, x = 0 and so around, down to z = -1.
+inline void add_skirts(Mesh& mesh, int sides) {
+  const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(mesh.points.size() / 3)));
+  const auto n = side - 1;
+  const auto rim = [&](std::uint32_t i) {
+    const std::uint32_t along = i % n;
+    const std::array<std::uint32_t, 4> at{along, along * side + n, n * side + n - along, (n - along) * side};
+    return at[i / n % 4];
+  };
+  const auto foot = [&](std::uint32_t v) { return add_vertex(mesh, {vertex(mesh, v)[0], vertex(mesh, v)[1], -1}); };
+  for (std::uint32_t i = 0, below = foot(rim(0)); i < static_cast<std::uint32_t>(sides) * n; ++i) {
+    const std::uint32_t a = rim(i), b = rim(i + 1), next = foot(b);
+    add_triangle(mesh, a, b, next);
+    add_triangle(mesh, a, next, below);
+    below = next;
   }
 }
 

@@ -141,6 +141,18 @@ TEST(Repair, AWeldLeavesTheRestAsItIs) {
   EXPECT_EQ(import(mesh, cure("weld=1/16")).value(), whole);
 }
 
+// A tetrahedron with an edge of half the tolerance, one of its faces torn off beside it.
+TEST(Repair, AWeldKeepsEdgesShorterThanTheTolerance) {
+  Mesh mesh;
+  mesh.points = {0, 0, 0, 0.03125, 0, 0, 0, 8, 0, 0, 0, 8};
+  mesh.triangles = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const Solid whole = import(mesh).value();
+  tear_off(mesh, 0, {0, 0, 0.015625});
+  ImportReport report;
+  EXPECT_EQ(import(mesh, cure("weld=1/16"), &report).value(), whole);
+  EXPECT_EQ(report.repairs[0].count, 3U);
+}
+
 // Vertices beside an edge, at a known distance: the cure bends the edge to them, and the volume changes by no more than
 // that distance times the areas of the triangles around.
 TEST(Repair, NearTJunctionsAreMeasuredAndJoined) {
@@ -233,6 +245,53 @@ TEST(Repair, SmallHolesAreClosedUpToASize) {
     // A hole of so few cells is not deeper than its size.
     EXPECT_LE(std::fabs(solid.value().info().volume_approx - whole.info().volume_approx), static_cast<double>(count));
   }
+}
+
+// What `all` closes: rims that are flat for their size, of half of the surface, and small holes however they bend.
+TEST(Repair, FlatAndSmallHolesAreClosedByAll) {
+  for (const auto& [depth, is_closed] : {std::pair{0.125, true}, {1.5, false}}) {
+    Mesh mesh = box_mesh({0, 0, 0}, {4, 4, 8});
+    mesh.triangles.resize(30);    // all but x = 4
+    mesh.points[3 * 7] -= depth;  // (4, 4, 8)
+    EXPECT_EQ(findings(mesh)[0].cure.find("caps="), 0U);
+    const auto solid = import(mesh, cure("all"));
+    ASSERT_EQ(solid.has_value(), is_closed) << depth;
+    if (!is_closed) continue;
+    // Of four corners there are two ways to close them: by a part more or less of 1/6 of 4 * 8 * depth.
+    const double change = 128 - solid.value().info().volume_approx;
+    EXPECT_GT(change, 0);
+    EXPECT_LE(change, 4 * 8 * depth / 2);
+  }
+
+  auto random = random_engine();
+  for (int round = 0; round < 20; ++round) {
+    Mesh mesh = bumpy_block(8, random);
+    const Solid whole = import(mesh).value();
+    const std::uint32_t gone = mesh.triangles[3 * (random() % size_of(mesh))];
+    for (std::size_t t = size_of(mesh); t-- > 0;) {
+      const auto* corner = &mesh.triangles[3 * t];
+      if (std::find(corner, corner + 3, gone) != corner + 3) remove_triangle(mesh, t);
+    }
+    ImportReport report;
+    const auto solid = import(mesh, cure("all"), &report);
+    ASSERT_TRUE(solid.has_value()) << solid.error().message;
+    EXPECT_EQ(kinds(report.repairs), std::vector<std::string>{"hole"});
+    EXPECT_LE(std::fabs(solid.value().info().volume_approx - whole.info().volume_approx), 6);
+  }
+}
+
+// A flap as large as what it hangs on may be what is meant: it goes where it is named alone.
+TEST(Repair, LargeFlapsAreDroppedByName) {
+  Mesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
+  const Solid whole = import(mesh).value();
+  const std::uint32_t tip = add_vertex(mesh, {0.5, 0.5, 16});
+  add_triangle(mesh, 0, 1, tip);
+  EXPECT_EQ(import(mesh, cure("all")).error().code, ErrorCode::open_boundary);
+  EXPECT_EQ(findings(mesh)[0].kind, Defect::hole);
+  EXPECT_EQ(import(mesh, cure("duplicates")).value(), whole);
+  EXPECT_EQ(import(mesh, cure("duplicates,all")).value(), whole);
+  mesh.points[3 * tip + 2] = 1.5;
+  EXPECT_EQ(import(mesh, cure("all")).value(), whole);
 }
 
 TEST(Repair, TrianglesThatLookTheWrongWayTurn) {
@@ -347,12 +406,29 @@ TEST(Repair, ShellsTurnByThemselves) {
   EXPECT_EQ(volume(import(filled, cure("all")).value()), "1000");
 }
 
+// Which of two equal bodies a triangle belongs to does not decide which one turns.
+TEST(Repair, ShellsThatShareEdgesTurnInAnyOrder) {
+  auto random = random_engine();
+  Mesh mesh = box_mesh({0, 0, 0}, {4, 4, 4}), turned = box_mesh({4, 0, 0}, {8, 4, 4});
+  turn_all(turned);
+  append(mesh, turned);
+  append(mesh, box_mesh({0, 4, 4}, {4, 8, 8}));
+  append(mesh, box_mesh({0, 4, 4}, {4, 8, 8}));
+  const std::string expected = import(mesh, cure("all")).value().to_quoin();
+  for (int order = 0; order < 20; ++order) {
+    shuffle(mesh, random);
+    EXPECT_EQ(import(mesh, cure("all")).value().to_quoin(), expected);
+  }
+}
+
+// From nearly flat to needles, with skirts on three sides or none.
 TEST(Repair, OpenTerrainIsRefused) {
   auto random = random_engine();
-  for (int round = 0; round < 30; ++round) {
-    const double height = std::ldexp(1.0, static_cast<int>(random() % 8) - 4);
+  for (int round = 0; round < 60; ++round) {
+    const double height = std::ldexp(1.0, static_cast<int>(random() % 13) - 4);
     Mesh mesh = terrain(4 + static_cast<std::uint32_t>(random() % 8), height, round % 2 == 0, random);
     if (round % 3 == 0) remove_triangle(mesh, size_of(mesh) / 2);
+    if (round % 5 == 0 && height <= 4) add_skirts(mesh, 3);
     expect_refused(mesh, cure("all"));
     turn_all(mesh);
     expect_refused(mesh, cure("all"));
