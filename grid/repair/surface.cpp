@@ -42,7 +42,7 @@ void Surface::sort() {
 }
 
 std::int64_t Surface::area(const Triangle& t) const {
-  const Vector v = cross(between(points[t[0]], points[t[1]]), between(points[t[0]], points[t[2]]));
+  const GridVector v = cross(between(points[t[0]], points[t[1]]), between(points[t[0]], points[t[2]]));
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
