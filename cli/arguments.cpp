@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -108,9 +109,39 @@ std::size_t move_leading_options(Words& words) {
   return i;
 }
 
+/// Descriptions beside the options, in lines of at most 100 columns.
+class NarrowFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::size_t width = 100;
+    const std::size_t indent = get_column_width();
+    std::string text = "  " + make_option_name(option, is_positional) + make_option_opts(option);
+    std::size_t column = text.size();
+    if (column + 1 > indent) {
+      text += "\n";
+      column = 0;
+    }
+    text.append(indent - column, ' ');
+    column = indent;
+
+    std::istringstream words(make_option_desc(option));
+    for (std::string word; words >> word;) {
+      if (column > indent && column + 1 + word.size() > width) {
+        text += "\n" + std::string(indent, ' ');
+        column = indent;
+      }
+      if (column > indent) text += ' ', ++column;
+      text += word;
+      column += word.size();
+    }
+    return text + "\n";
+  }
+};
+
 /// One app a command, without subcommands: a file may be called "union".
 std::unique_ptr<CLI::App> make_app(const CommandHelp& help, Arguments& a, RawOptions& raw) {
   auto app = std::make_unique<CLI::App>(help.summary, std::string("quoin ") + help.name);
+  app->formatter(std::make_shared<NarrowFormatter>());
   app->footer(std::string("\n") + help.examples);
   app->set_help_flag("-h,--help", "This text.");
 

@@ -34,9 +34,10 @@ struct Id {
 template <class Key, class T>
 class ById : public Array<T> {
  public:
-  using Array<T>::vector;
-  T& operator[](Key k) { return Array<T>::operator[](k.value); }
-  const T& operator[](Key k) const { return Array<T>::operator[](k.value); }
+  using List = Array<T>;
+  using List::List;
+  T& operator[](Key k) { return List::operator[](k.value); }
+  const T& operator[](Key k) const { return List::operator[](k.value); }
   /// The id that the next item gets.
   Key next_id() const { return static_cast<std::uint32_t>(this->size()); }
   /// Appends an item; its id.

@@ -1,4 +1,6 @@
 // Words that any command may be given.
+#include <sstream>
+
 #include "quoin/format.h"
 #include "tests/cli/support.h"
 
@@ -24,6 +26,15 @@ TEST_F(CliTest, VersionAndHelp) {
     const Outcome one = run({command, "--help"});
     EXPECT_EQ(one.code, 0) << command;
     EXPECT_NE(one.out.find("Examples:"), std::string::npos) << command;
+  }
+}
+
+TEST_F(CliTest, HelpFitsATerminal) {
+  std::vector<Words> calls = {{"--help"}};
+  for (const char* command : all_commands) calls.push_back({command, "--help"});
+  for (const Words& call : calls) {
+    std::istringstream lines(run(call).out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
   }
 }
 
