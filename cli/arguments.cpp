@@ -109,11 +109,11 @@ std::size_t move_leading_options(Words& words) {
   return i;
 }
 
-/// Descriptions beside the options, in lines of at most 100 columns.
+/// Descriptions beside the options, in lines of at most 120 columns.
 class NarrowFormatter : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    constexpr std::size_t width = 100;
+    constexpr std::size_t width = 120;
     const std::size_t indent = get_column_width();
     std::string text = "  " + make_option_name(option, is_positional) + make_option_opts(option);
     std::size_t column = text.size();

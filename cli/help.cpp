@@ -141,7 +141,7 @@ std::string general_help() {
     text += line + command.summary + "\n";
   }
   text += "\nEvery command explains itself: quoin COMMAND --help\n\nFiles: " + extensions(false) +
-          " are triangle or polygon meshes; " + extensions(true) + " is the exact solid, without any loss.\n";
+          " are triangle or polygon meshes;\n  " + extensions(true) + " is the exact solid, without any loss.\n";
   text += R"(  Content decides the format where it can, then the extension.
   "-" is standard input or output; --format then says what flows through it.
   An output file appears whole or not at all. One that exists keeps its owner, permissions and links.
@@ -157,12 +157,12 @@ Units: Quoin takes numbers as they are ("model units", often millimetres) and ne
 Grid: points of meshes are snapped to a common grid, and everything after that is exact. The default step is a power
   of two at which all inputs fit +-2^26 steps; --step 1/1000 makes decimals with three places exact.
   The largest move is reported as max_snap. A .quoin operand brings its grid along, which --step replaces where that is
-  exact. Of several grids a common one is found, exact where any is; else the operands that do not fit are rounded, once,
-  and reported; --exact-grid refuses instead.
+  exact. Of several grids a common one is found, exact where any is; else the operands that do not fit are rounded,
+  once, and reported; --exact-grid refuses instead.
 
 Meshes must be closed and not inside out; a refusal names the place, what is wrong there and its cure: `check` lists
-  all of it, --repair cures it. What a file holds besides faces is passed over, a line each on stderr. A warning on stderr names a body that is inside out
-  among others, since nothing is left of it; --quiet suppresses it.
+  all of it, --repair cures it. What a file holds besides faces is passed over, a line each on stderr. A warning names a
+  body that is inside out among others, since nothing is left of it; --quiet suppresses it.
 
 Triangles are written valid: read as exact numbers they bound a solid without crossings. Numbers are correctly rounded;
   where that spoils thin parts the mesh is mended, and counted. --fast leaves it as rounded. A warning says when

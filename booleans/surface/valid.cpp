@@ -112,30 +112,38 @@ class Proof {
     return moved_are_proper(tree) && others_are_proper(tree);
   }
 
-  /// Triangles of one component, joined by edges of two triangles.
+  /// Triangles of one component, joined by edges of two triangles. A star that stays embedded hangs together by them.
   grid::Partition components() const {
+    grid::Partition parts(mesh_.triangle_count());
+    Array<std::uint32_t> first(mesh_.vertex_count(), none);
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
+      for (const std::uint32_t v : mesh_.corners(t)) {
+        if (!steady_[v]) continue;
+        if (first[v] == none) first[v] = t;
+        parts.unite(first[v], t);
+      }
+    unite_over_other_edges(parts);
+    return parts;
+  }
+  void unite_over_other_edges(grid::Partition& parts) const {
     struct Edge {
       std::uint32_t low, high, triangle;
     };
     Array<Edge> edges;
-    edges.reserve(3 * mesh_.triangle_count());
-    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      const auto c = mesh_.corners(t);
-      grid::for_loop_edges(c, [&](std::uint32_t u, std::uint32_t v) {
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
+      grid::for_loop_edges(mesh_.corners(t), [&](std::uint32_t u, std::uint32_t v) {
+        if (steady_[u] || steady_[v]) return;
         const auto [low, high] = std::minmax(mesh_.place(u), mesh_.place(v));
         edges.push_back({low, high, t});
       });
-    }
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
     });
 
-    grid::Partition parts(mesh_.triangle_count());
     for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
       while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
       if (j - i == 2) parts.unite(edges[i].triangle, edges[i + 1].triangle);
     }
-    return parts;
   }
 
   bool windings_are_right() {
