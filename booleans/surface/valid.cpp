@@ -133,7 +133,7 @@ class Proof {
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
       grid::for_loop_edges(mesh_.corners(t), [&](std::uint32_t u, std::uint32_t v) {
         if (steady_[u] || steady_[v]) return;
-        const auto [low, high] = std::minmax(mesh_.place(u), mesh_.place(v));
+        const auto [low, high] = std::minmax({mesh_.place(u), mesh_.place(v)});
         edges.push_back({low, high, t});
       });
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {

@@ -83,7 +83,7 @@ class Joiner {
     Array<std::array<std::uint32_t, 3>> pieces;  // low, high, chain
     for (std::uint32_t c = 0; c < chains_.size(); ++c)
       for (std::size_t i = 0; i <= chains_[c].inner.size(); ++i) {
-        const auto [low, high] = std::minmax(chains_[c].vertex(i), chains_[c].vertex(i + 1));
+        const auto [low, high] = std::minmax({chains_[c].vertex(i), chains_[c].vertex(i + 1)});
         pieces.push_back({low, high, c});
       }
     std::sort(pieces.begin(), pieces.end());
