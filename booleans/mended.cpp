@@ -61,8 +61,9 @@ class Cells {
   Array<Cell> marked_;
 };
 
-/// Snaps points near troubled ones to a coarser lattice. Returns an upper bound of their moves: half the diagonal of a
-/// cell is less than 7/8 of its side, and rounding moves a coordinate by a step of the lattice at most.
+/// Snaps points near troubled ones to a coarser lattice. Returns an upper bound of their moves, the side of a cell:
+/// half its diagonal is less than 7/8 of that. Corners of cells are numbers of the format; the quotients alone are
+/// rounded, by far less than the rest.
 double coarsen(std::vector<double>& points, const grid::Lattice& lattice, const Coarsening& coarsening) {
   Cells cells(lattice, coarsening.level);
   for (std::size_t i = 0; i < coarsening.troubled.size(); ++i)

@@ -34,7 +34,7 @@ class MovingPlane {
   /// The side of a corner, wherever it and the plane are; 0 if unknown. It is the sign of a determinant of three rows.
   /// Each of their components is off by the two corners' errors and by its own rounding, at most d = 2 error + 2 u
   /// |row|. So the product of the largest components grows by no more than `growth`, and each of the determinant's six
-  /// terms with it. Rows within the range below keep all from overflow, and what underflows far below the bound.
+  /// terms with it. Ordinary rows keep all from overflow, and what underflows far below the bound.
   int side(const Vector& corner) const {
     const Vector c = corner - base_;
     const double z = largest(c);
