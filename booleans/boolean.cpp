@@ -27,9 +27,10 @@ void checked(bool are_proved, const Value& value, const Context&... context) {
 
 }  // namespace
 
-Result<Body> evaluate(std::span<const Body* const> operands, const Expression& expression, const Run& run) {
+Result<Body> evaluate(std::span<const Body* const> operands, const Expression& expression, const Run& run,
+                      std::shared_ptr<const Origins> origins) {
   if (!run.begin("pairs", 0.0)) return cancelled();
-  Operands all({operands.begin(), operands.end()});
+  Operands all({operands.begin(), operands.end()}, true, std::move(origins));
   const FacePairs pairs = foreign_pairs(all);
   if (run.pairs) *run.pairs += pairs.size();
   dump_if_asked("pairs", [&] { return dump(pairs, all); });

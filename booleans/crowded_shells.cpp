@@ -24,6 +24,7 @@ class Excerpts {
   Body operator()(std::span<const std::uint32_t> triangles) {
     Body body;
     body.is_proved = mesh_.is_proved;
+    body.labels.origins = mesh_.labels.origins;
     Array<exact::GridPoint> points;
     Array<std::array<std::uint32_t, 3>> renamed;
     for (const std::uint32_t t : triangles) {
@@ -36,6 +37,7 @@ class Excerpts {
         v = name_[v];
       }
       renamed.push_back(corners);
+      if (mesh_.labels) body.labels.triangles.push_back(mesh_.labels.triangles[t]);
     }
 
     for (const std::uint32_t t : triangles)

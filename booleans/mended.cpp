@@ -118,8 +118,8 @@ grid::Lattice lattice_of_numbers(const std::array<double, 3>& low, const std::ar
   return lattice;
 }
 
-Result<Mended> mended(std::span<const double> points, std::span<const std::uint32_t> triangles, Floats floats,
-                      const Coarsening& coarsening, const Run& run) {
+Result<Mended> mended(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                      const TriangleLabels& labels, Floats floats, const Coarsening& coarsening, const Run& run) {
   Mended result;
   if (triangles.empty()) return result;
   std::array<double, 3> low{points[0], points[1], points[2]}, high = low;
@@ -137,7 +137,8 @@ Result<Mended> mended(std::span<const double> points, std::span<const std::uint3
     points = coarse;
   }
 
-  auto mesh = grid::import_triangles(points, triangles, result.lattice, grid::Facing::any);
+  grid::Curing asked{{}, labels.origins != nullptr};
+  auto mesh = grid::import_triangles(points, triangles, result.lattice, grid::Facing::any, &asked);
   if (!mesh) return mesh.error();
   result.merged_points += mesh.value().merged_points;
   result.vanished_triangles = mesh.value().zero_area_triangles;
@@ -146,6 +147,8 @@ Result<Mended> mended(std::span<const double> points, std::span<const std::uint3
   Body body;
   body.grid_points = std::move(mesh.value().points);
   body.triangles = std::move(mesh.value().triangles);
+  body.labels.origins = labels.origins;
+  for (const std::uint32_t t : mesh.value().sources) body.labels.triangles.push_back(labels.of_triangle[t]);
   auto resolved = resolve(std::move(body), result.crossings, run);
   if (!resolved) return resolved.error();
   // A single surface that has been turned inside out has no inside.

@@ -39,11 +39,17 @@ struct Coarsening {
   int level = 0;
 };
 
+/// What triangles carry, by triangle; nothing where `origins` is null.
+struct TriangleLabels {
+  std::shared_ptr<const Origins> origins = nullptr;
+  Array<Provenance> of_triangle = {};
+};
+
 /// The points of winding number > 0 of a closed mesh that is snapped to the lattice of numbers for its box.
 /// It differs from the mesh at points within `most` of the surface only: on the way of the points to the lattice the
 /// surface passes nothing else. Nothing may be left.
 /// Errors: "cancelled"; those of grid::import_triangles for a mesh that is not closed.
-Result<Mended> mended(std::span<const double> points, std::span<const std::uint32_t> triangles, Floats floats,
-                      const Coarsening& coarsening, const Run& run = {});
+Result<Mended> mended(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                      const TriangleLabels& labels, Floats floats, const Coarsening& coarsening, const Run& run = {});
 
 }  // namespace quoin::booleans

@@ -117,6 +117,7 @@ Misfit move_body(const Map& map, Body& body) {
   for (auto& p : body.grid_points.edit()) p = mover.grid_point(p);
   for (auto& p : body.points.edit()) p = mover.point(p);
   for (auto& p : body.planes.edit()) p = mover.plane(p);
+  for (auto& b : body.labels.borders.edit()) b.other = mover.plane(b.other);
   return mover.fault();
 }
 
@@ -125,6 +126,7 @@ Misfit move_boundary(const Map& map, Boundary& boundary) {
   Mover mover(map);
   for (auto& p : boundary.vertices) p = mover.point(p);
   for (auto& p : boundary.planes) p = mover.plane(p);
+  for (auto& b : boundary.labels.borders.edit()) b.other = mover.plane(b.other);
   return mover.fault();
 }
 
@@ -135,7 +137,7 @@ Misfit moved(const Body& body, const Map& map, std::optional<Body>& result, std:
     result = body;
     fault = move_body(map, *result);
   } else {
-    if (!form) form = canonical(body);
+    if (!form) form = labelled_boundary(body);
     Boundary boundary = *form;
     fault = move_boundary(map, boundary);
     if (fault == Misfit::none) result = body_of(boundary);

@@ -6,6 +6,7 @@
 
 #include "booleans/body/locate.h"
 #include "booleans/pairs/crowd.h"
+#include "booleans/pairs/operands.h"
 #include "grid/lists/stretches.h"
 
 namespace quoin::booleans {
@@ -80,11 +81,13 @@ bool is_group_negated(Rule rule, bool negated, std::size_t size) {
 }
 
 /// Groups of leaves of one node that crowd each other.
-std::vector<Part> crowded_groups(const Task& task) {
+std::vector<Part> crowded_groups(const Task& task, bool has_labels) {
   const auto& nodes = task.expression.nodes;
   std::map<std::pair<std::uint32_t, bool>, std::vector<Member>> like;  // by node and negation
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (!task.is_leaf(i) || nodes[i].parent == none) continue;
+    // Who names a face of a symmetric difference depends on who is combined first (naming.h).
+    if (has_labels && nodes[nodes[i].parent].rule == Rule::odd) continue;
     if (const auto box = bounds(*task.operands[nodes[i].operand]))
       like[{nodes[i].parent, nodes[i].negated}].push_back({i, *box});
   }
@@ -209,7 +212,7 @@ std::vector<Part> own_subtrees(const Task& task) {
 class Reduction {
  public:
   Reduction(std::span<const Body* const> operands, const Expression& expression, const Run& run)
-      : task_{{operands.begin(), operands.end()}, expression}, run_(run) {}
+      : task_{{operands.begin(), operands.end()}, expression}, run_(run), origins_(joint_origins(operands)) {}
 
   Result<Body> run() {
     drop_repeated_leaves();
@@ -222,14 +225,14 @@ class Reduction {
     }
     Run rest = run_;
     if (run_.progress) rest.progress = [&](double fraction) { run_.progress(done + (1 - done) * fraction); };
-    return evaluate(task_.operands, task_.expression, rest);
+    return evaluate(task_.operands, task_.expression, rest, origins_);
   }
 
  private:
   /// One leaf says what equal leaves of a node say; of a symmetric difference every two of them cancel.
   void drop_repeated_leaves() {
     const auto& nodes = task_.expression.nodes;
-    if (nodes.size() <= group_size()) return;
+    if (nodes.size() <= group_size() && !origins_) return;
     std::vector<std::uint8_t> gone(nodes.size());
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;  // (node, operand, negated) -> leaf
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
@@ -250,14 +253,14 @@ class Reduction {
     parts_.clear();
     if (task_.expression.nodes.size() <= group_size()) return false;
     parts_ = own_subtrees(task_);
-    if (parts_.empty()) parts_ = crowded_groups(task_);
+    if (parts_.empty()) parts_ = crowded_groups(task_, origins_ != nullptr);
     return !parts_.empty();
   }
 
   Result<void> combine() {
     grid::in_stretches(parts_.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
       Part& part = parts_[i];
-      Result<Body> result = evaluate(part.task.operands, part.task.expression, run_.of_part());
+      Result<Body> result = evaluate(part.task.operands, part.task.expression, run_.of_part(), origins_);
       if (result)
         part.result = std::move(result).value();
       else
@@ -310,6 +313,7 @@ class Reduction {
 
   Task task_;
   const Run& run_;
+  const std::shared_ptr<const Origins> origins_;  // of all operands: parts are named as the whole would be
   std::vector<Part> parts_;
   std::vector<std::unique_ptr<Body>> results_;  // of parts, while a leaf names them
 };

@@ -39,7 +39,7 @@ Result<Body> resolved_at_once(const Body& mesh, const FacePairs& pairs, const Ru
   Result<Body> solved = selected(a.value(), Expression::itself(), run);
   // An edge of more faces than two may be left with two that lie on one plane, one of them cut: they are joined (B4).
   const bool may_have_parted = !a.value().patches().crowded[OperandId(0)].empty();
-  return solved && may_have_parted ? Result<Body>(body_of(canonical(solved.value()))) : std::move(solved);
+  return solved && may_have_parted ? Result<Body>(body_of(labelled_boundary(solved.value()))) : std::move(solved);
 }
 
 Result<Body> resolve(Body mesh, std::uint64_t& crossings, const Run& run) {

@@ -133,10 +133,17 @@ struct Collected {
   }
 };
 
+/// Moves the items begin .. end - 1 of a list down by some places.
+template <class T>
+void move_down(Array<T>& list, std::size_t begin, std::size_t end, std::size_t places) {
+  std::copy(list.data() + begin, list.data() + end, list.data() + begin - places);
+}
+
 /// Stretch by stretch; where triangles are nothing, those behind them move up.
-Collected add_triangles(const Faces& f, const Array<std::uint32_t>& ids, ImportedMesh& mesh) {
+Collected add_triangles(const Faces& f, const Array<std::uint32_t>& ids, bool wants_sources, ImportedMesh& mesh) {
   const std::size_t length = stretch(std::size_t{1} << 15);
   mesh.triangles.resize(f.count());
+  if (wants_sources) mesh.sources.resize(f.count());
   Array<Collected> parts(f.count() / length + 1);
 
   in_stretches(f.count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
@@ -144,22 +151,23 @@ Collected add_triangles(const Faces& f, const Array<std::uint32_t>& ids, Importe
     for (std::size_t i = begin; i < end; ++i) {
       Triangle t{f.corners[3 * i], f.corners[3 * i + 1], f.corners[3 * i + 2]};
       if (!ids.empty()) t = {ids[t[0]], ids[t[1]], ids[t[2]]};
-      if (parts[s].add(mesh.points, t, next)) mesh.triangles[next++] = t;
+      if (!parts[s].add(mesh.points, t, next)) continue;
+      if (wants_sources) mesh.sources[next] = static_cast<std::uint32_t>(i);
+      mesh.triangles[next++] = t;
     }
   });
 
   Collected all;
   for (std::size_t s = 0; s < parts.size(); ++s) {
     const std::size_t begin = s * length, end = std::min(begin + length, f.count()) - parts[s].zero_area;
-    if (all.zero_area > 0)
-      std::copy(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(begin),
-                mesh.triangles.begin() + static_cast<std::ptrdiff_t>(end),
-                mesh.triangles.begin() + static_cast<std::ptrdiff_t>(begin - all.zero_area));
+    if (all.zero_area > 0) move_down(mesh.triangles, begin, end, all.zero_area);
+    if (all.zero_area > 0 && wants_sources) move_down(mesh.sources, begin, end, all.zero_area);
     for (const std::uint32_t i : parts[s].slivers) all.slivers.push_back(i - static_cast<std::uint32_t>(all.zero_area));
     all.zero_area += parts[s].zero_area;
     all.volume += parts[s].volume;
   }
   mesh.triangles.resize(f.count() - all.zero_area);
+  if (wants_sources) mesh.sources.resize(mesh.triangles.size());
   return all;
 }
 
@@ -174,7 +182,7 @@ void distinct_corners(std::span<const std::uint32_t> face, const Array<std::uint
   while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
 }
 
-Collected add_polygons(const Faces& f, const Array<std::uint32_t>& ids, ImportedMesh& mesh) {
+Collected add_polygons(const Faces& f, const Array<std::uint32_t>& ids, bool wants_sources, ImportedMesh& mesh) {
   mesh.triangles.reserve(f.corners.size() - std::min(f.corners.size(), 2 * f.count()));
   Cutter cutter(mesh.points);
   Array<std::uint32_t> loop;
@@ -192,6 +200,7 @@ Collected add_polygons(const Faces& f, const Array<std::uint32_t>& ids, Imported
       ++mesh.nonplanar_polygons;
     for (const Triangle& t : pieces)
       if (all.add(mesh.points, t, mesh.triangles.size())) mesh.triangles.push_back(t);
+    if (wants_sources) mesh.sources.resize(mesh.triangles.size(), static_cast<std::uint32_t>(i));
   }
   return all;
 }
@@ -242,14 +251,17 @@ std::uint64_t edge_count(const Array<OpenEdge>& open) {
 /// the mesh is not closed then.
 bool seal_exactly(ImportedMesh& mesh) {
   Array<Triangle> triangles = mesh.triangles;
-  std::erase_if(triangles,
-                [&](const Triangle& t) { return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]); });
+  Sources sources = mesh.sources;
+  drop_triangles(triangles, sources, [&](const Triangle& t) {
+    return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  });
   // Closed by this alone it is not: triangles without area count in the proof.
   if (is_balanced(corners_of(triangles), mesh.points.size())) return false;
-  const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, Pairing::opposite);
+  const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, sources, Pairing::opposite);
   if (!is_balanced(corners_of(triangles), mesh.points.size())) return false;
 
   mesh.triangles = std::move(triangles);
+  mesh.sources = std::move(sources);
   mesh.sealed_t_junctions = sealed;
   return true;
 }
@@ -266,10 +278,11 @@ int128 enclosed_six_volumes(const ImportedMesh& mesh) {
 
 /// Cures as asked; whether the mesh is closed then.
 bool cure(ImportedMesh& mesh, Curing& curing, const Lattice& lattice) {
-  Surface surface{std::move(mesh.points), std::move(mesh.triangles)};
+  Surface surface{std::move(mesh.points), std::move(mesh.triangles), std::move(mesh.sources)};
   const Repaired repaired = repair(surface, curing.cures, lattice);
   mesh.points = std::move(surface.points);
   mesh.triangles = std::move(surface.triangles);
+  mesh.sources = std::move(surface.sources);
   mesh.sealed_t_junctions += repaired.sealed_t_junctions;
   curing.repairs = repairs_of(repaired.damages, lattice);
   return is_balanced(corners_of(mesh.triangles), mesh.points.size());
@@ -289,7 +302,8 @@ Error inside_out(const ImportedMesh& mesh, const Lattice& lattice) {
 }
 
 /// Snaps, welds and collects. `ids`: what the input's points became, empty when they are as they were.
-Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& mesh, Array<std::uint32_t>& ids) {
+Result<Collected> gather(const Faces& f, const Lattice& lattice, bool wants_sources, ImportedMesh& mesh,
+                         Array<std::uint32_t>& ids) {
   auto snapped = snap(f.points, lattice);
   if (!snapped) return snapped.error();
   mesh.points = std::move(snapped.value().points);
@@ -298,7 +312,7 @@ Result<Collected> gather(const Faces& f, const Lattice& lattice, ImportedMesh& m
   Weld welded = weld(mesh.points, f.points, f.corners.size() / 5 + 16);
   mesh.merged_points = welded.merged;
   ids = std::move(welded.ids);
-  return f.triangles ? add_triangles(f, ids, mesh) : add_polygons(f, ids, mesh);
+  return f.triangles ? add_triangles(f, ids, wants_sources, mesh) : add_polygons(f, ids, wants_sources, mesh);
 }
 
 Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facing, Curing* curing) {
@@ -313,7 +327,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
     if (task == 0)
       balanced = f.may_be_balanced() && is_balanced(f.corners, f.points.size() / 3);
     else
-      gathered = gather(f, lattice, mesh, ids);
+      gathered = gather(f, lattice, curing != nullptr && curing->wants_sources, mesh, ids);
   });
   if (!*gathered) return gathered->error();
   if (facing == Facing::out && f.count() > 0 && !has_areas(f)) return no_areas(f);
@@ -321,7 +335,7 @@ Result<ImportedMesh> import(const Faces& f, const Lattice& lattice, Facing facin
   const Collected& all = gathered->value();
   mesh.zero_area_triangles = all.zero_area + all.slivers.size();
   int128 volume = all.volume;
-  bool is_closed = seal(mesh.points, mesh.triangles, all.slivers) &&
+  bool is_closed = seal(mesh.points, mesh.triangles, mesh.sources, all.slivers) &&
                    (balanced || is_balanced(corners_of(mesh.triangles), mesh.points.size()));
   // Until here the sum of the directed edges is that of the input.
   Array<OpenEdge> open;

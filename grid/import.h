@@ -24,6 +24,8 @@ namespace quoin::grid {
 struct ImportedMesh {
   Array<exact::GridPoint> points;
   Array<std::array<std::uint32_t, 3>> triangles;
+  /// By triangle, if they are asked for: the polygon that it is a part of, `no_source` for one that closes a hole.
+  Sources sources;
   /// The largest move of a point by snapping, an upper bound in model units (of Euclidean length); 0 when exact.
   double max_snap = 0;
   /// Distinct input positions that became one with an earlier one.
@@ -46,6 +48,7 @@ enum class Facing {
 /// are in canonical order (repair/surface.h).
 struct Curing {
   Cures cures = {};
+  bool wants_sources = false;          // ImportedMesh::sources
   std::vector<Finding> findings = {};  // what is wrong, where the mesh is refused for it
   std::vector<Finding> repairs = {};   // what was done
 };

@@ -34,7 +34,8 @@ Line line_through(const GridPoint& p, const GridPoint& q) {
 /// cancel, and there are no more splits than segments. The neighbours' edges, the segments reversed, are split alike.
 class Sealer {
  public:
-  Sealer(const Array<GridPoint>& points, Array<Triangle>& triangles) : points_(points), triangles_(triangles) {}
+  Sealer(const Array<GridPoint>& points, Array<Triangle>& triangles, Sources& sources)
+      : points_(points), triangles_(triangles), sources_(sources) {}
 
   bool seal_slivers(const Array<std::uint32_t>& slivers) {
     find_segments(slivers);
@@ -43,8 +44,7 @@ class Sealer {
     assert(waiting_[0].empty() && waiting_[1].empty());
     for (std::uint32_t t : slivers) triangles_[t] = {0, 0, 0};
     cut_neighbours();
-    const auto is_dead = [](const Triangle& t) { return t[0] == t[1]; };
-    triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(), is_dead), triangles_.end());
+    drop_triangles(triangles_, sources_, [](const Triangle& t) { return t[0] == t[1]; });
     return true;
   }
 
@@ -253,13 +253,13 @@ class Sealer {
       }
 
       cutter.cut(loop, pieces);
-      triangles_[t] = pieces[0];
-      triangles_.insert(triangles_.end(), pieces.begin() + 1, pieces.end());
+      replace_triangle(triangles_, sources_, t, pieces);
     }
   }
 
   const Array<GridPoint>& points_;
   Array<Triangle>& triangles_;
+  Sources& sources_;
   Array<Segment> segments_;
   Array<Split> splits_;
   std::array<Array<std::uint32_t>, 2> waiting_;  // backward, forward: without a partner as yet
@@ -274,12 +274,14 @@ bool collinear(const GridPoint& p, const GridPoint& q, const GridPoint& r) {
   return ey * fz == ez * fy && ez * fx == ex * fz && ex * fy == ey * fx;
 }
 
-bool seal(const Array<GridPoint>& points, Array<Triangle>& triangles, const Array<std::uint32_t>& slivers) {
-  return slivers.empty() || Sealer(points, triangles).seal_slivers(slivers);
+bool seal(const Array<GridPoint>& points, Array<Triangle>& triangles, Sources& sources,
+          const Array<std::uint32_t>& slivers) {
+  return slivers.empty() || Sealer(points, triangles, sources).seal_slivers(slivers);
 }
 
-std::uint64_t seal_t_junctions(const Array<GridPoint>& points, Array<Triangle>& triangles, Pairing pairing) {
-  return Sealer(points, triangles).seal_open_edges(pairing);
+std::uint64_t seal_t_junctions(const Array<GridPoint>& points, Array<Triangle>& triangles, Sources& sources,
+                               Pairing pairing) {
+  return Sealer(points, triangles, sources).seal_open_edges(pairing);
 }
 
 }  // namespace quoin::grid

@@ -12,6 +12,32 @@
 
 namespace quoin::grid {
 
+/// By triangle: the polygon of the input that it is a part of, `no_source` for one that was added; empty where nobody
+/// asks. Whatever drops, cuts or adds triangles does the same here.
+using Sources = Array<std::uint32_t>;
+inline constexpr std::uint32_t no_source = UINT32_MAX;
+
+/// Drops the triangles that `is_dropped`, and their sources.
+template <class Predicate>
+void drop_triangles(Array<std::array<std::uint32_t, 3>>& triangles, Sources& sources, Predicate is_dropped) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (is_dropped(triangles[t])) continue;
+    if (!sources.empty()) sources[kept] = sources[t];
+    triangles[kept++] = triangles[t];
+  }
+  triangles.resize(kept);
+  if (!sources.empty()) sources.resize(kept);
+}
+
+/// Puts the pieces of a triangle in its place and at the end.
+inline void replace_triangle(Array<std::array<std::uint32_t, 3>>& triangles, Sources& sources, std::uint32_t t,
+                             const Array<std::array<std::uint32_t, 3>>& pieces) {
+  triangles[t] = pieces[0];
+  triangles.insert(triangles.end(), pieces.begin() + 1, pieces.end());
+  if (!sources.empty()) sources.resize(triangles.size(), sources[t]);
+}
+
 /// Whether three grid points lie on one line.
 bool collinear(const exact::GridPoint& p, const exact::GridPoint& q, const exact::GridPoint& r);
 
@@ -21,7 +47,7 @@ bool collinear(const exact::GridPoint& p, const exact::GridPoint& q, const exact
 /// the end. What was balanced stays balanced. O(n log n); at most one new point for each side of a sliver. False, with
 /// nothing changed, when some side lacks its neighbour: then the surface is open. The points are pairwise distinct, and
 /// no other triangle has zero area.
-bool seal(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles,
+bool seal(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles, Sources& sources,
           const Array<std::uint32_t>& slivers);
 
 /// Which edges close each other.
@@ -35,6 +61,6 @@ enum class Pairing {
 /// of points put on edges. O(n log n). No triangle has zero area. Does not depend on the order of points and triangles,
 /// but for which of several equal edges is split.
 std::uint64_t seal_t_junctions(const Array<exact::GridPoint>& points, Array<std::array<std::uint32_t, 3>>& triangles,
-                               Pairing pairing);
+                               Sources& sources, Pairing pairing);
 
 }  // namespace quoin::grid

@@ -4,6 +4,7 @@
 
 #include "api/access.h"
 #include "api/doors/surface.h"
+#include "api/labels.h"
 #include "api/run.h"
 #include "booleans/body/measure.h"
 #include "booleans/mended.h"
@@ -29,6 +30,7 @@ struct Draft {
   std::size_t vertices = 0;  // before touching parts were separated
   std::vector<double> points;
   booleans::Moves moves;
+  booleans::TriangleLabels labels;  // of the triangles, if the body has some
 };
 
 Floats floats_of(const ExportOptions& options) { return options.float32 ? Floats::float32 : Floats::float64; }
@@ -39,6 +41,9 @@ Draft rounded(const Body& body, const grid::Lattice& lattice, Floats floats, Tri
   draft.mesh = std::move(mesh);
   draft.points = booleans::rounded_points(body, draft.mesh, lattice, floats);
   draft.moves = booleans::moves(body, draft.mesh, lattice, floats, draft.points);
+  draft.labels.origins = body.labels.origins;
+  if (body.labels)
+    for (const std::uint32_t f : draft.mesh.face) draft.labels.of_triangle.push_back(body.provenance(f));
   return draft;
 }
 
@@ -95,7 +100,7 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
 
   for (int round = 1;; ++round) {
     auto next =
-        booleans::mended(draft.points, draft.mesh.corners, floats,
+        booleans::mended(draft.points, draft.mesh.corners, draft.labels, floats,
                          {draft.moves.moved, std::max(0, faster * (round - finest_rounds))}, {.cancel = cancel});
     if (!next && next.error().code == ErrorCode::cancelled) return next.error();
     if (!next) break;
@@ -173,7 +178,7 @@ std::array<double, 3> rounded_centre(const Body& body, const grid::Lattice& latt
   return centre;
 }
 
-Result<Mesh> exported(const Body& body, const grid::Lattice& own, const ExportOptions& options, const Options& run,
+Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const ExportOptions& options, const Options& run,
                       ExportReport* report, SurfaceCounts* surface) {
   // False when the run was cancelled.
   const auto begin = [&](const char* stage, double fraction) {
@@ -223,21 +228,36 @@ Result<Mesh> exported(const Body& body, const grid::Lattice& own, const ExportOp
     report->recentred = centre;
     report->least_detail = detail;
   }
-  return Mesh{std::move(result.draft.points), std::move(result.draft.mesh.corners)};
+  const Draft& made = result.draft;
+  PublicLabels labels = public_labels(made.labels.origins.get(), made.labels.of_triangle, made.mesh.triangle_count());
+  return LabelledMesh{{std::move(result.draft.points), std::move(result.draft.mesh.corners)},
+                      std::move(labels.originals),
+                      std::move(labels.labels)};
 }
 
-}  // namespace
-
-Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report, SurfaceCounts* surface) const {
+Result<LabelledMesh> exported_solid(const Solid& solid, const ExportOptions& options, ExportReport* report,
+                                    SurfaceCounts* surface) {
   if (report) *report = {};
   if (surface) *surface = {};
-  const Body& body = Access::operand(*this);
+  const Body& body = Access::operand(solid);
   if (body.full_at_infinity)
     return Error{ErrorCode::unbounded, "an unbounded solid has no triangle mesh; its complement may have one"};
   return run_to_end(options.run, [&](const Options& run) {
     return with_threads(run.threads,
-                        [&] { return exported(body, Access::lattice(*this), options, run, report, surface); });
+                        [&] { return exported(body, Access::lattice(solid), options, run, report, surface); });
   });
+}
+
+}  // namespace
+
+Result<LabelledMesh> to_labelled_triangles(const Solid& solid, const ExportOptions& options, ExportReport* report) {
+  return exported_solid(solid, options, report, nullptr);
+}
+
+Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report, SurfaceCounts* surface) const {
+  auto mesh = exported_solid(*this, options, report, surface);
+  if (!mesh) return mesh.error();
+  return static_cast<Mesh&&>(std::move(mesh).value());
 }
 
 }  // namespace quoin

@@ -9,6 +9,7 @@
 
 #include "api/access.h"
 #include "api/doors/repair.h"
+#include "api/labels.h"
 #include "api/run.h"
 #include "booleans/dropped_shells.h"
 #include "booleans/resolve.h"
@@ -59,8 +60,38 @@ Result<booleans::Body> resolved(const booleans::Body& mesh, const Grid& grid, co
   return body;
 }
 
+bool wants_labels(const ImportOptions& options) {
+  return options.labels.size() > 0 || options.id != 0 || !options.name.empty();
+}
+
+/// "bad-index" for a wrong number of labels.
+Result<void> check_labels(std::size_t faces, const ImportOptions& options) {
+  const std::size_t labels = options.labels.size();
+  if (labels == 0 || labels == faces) return {};
+  return Error{ErrorCode::bad_index,
+               "there are " + std::to_string(labels) + " labels for " + std::to_string(faces) + " faces",
+               {},
+               "face " + std::to_string(std::min(labels, faces))};
+}
+
+/// What the triangles of a mesh carry.
+booleans::Labels labels_of(const grid::Sources& sources, std::size_t faces, const ImportOptions& options) {
+  booleans::Origins origins;
+  origins.add(origin_of({options.id, options.name}, faces, options.labels));
+  if (std::find(sources.begin(), sources.end(), grid::no_source) != sources.end()) origins.add(nullptr);
+
+  booleans::Labels labels;
+  labels.origins = std::make_shared<const booleans::Origins>(std::move(origins));
+  const auto list = labels.triangles.grow(sources.size());
+  std::transform(sources.begin(), sources.end(), list.begin(), [](std::uint32_t source) {
+    return source == grid::no_source ? booleans::Provenance(1, 0) : booleans::Provenance(0, source);
+  });
+  return labels;
+}
+
 template <class Import>
-Result<Solid> imported(std::span<const double> points, const ImportOptions& options, const Options& run,
+Result<Solid> imported(std::span<const double> points, std::size_t faces, const ImportOptions& options,
+                       const Options& run,
                        ImportReport* report, Import&& import) {
   if (report) *report = {};
   if (cancelled(run)) return Error{ErrorCode::cancelled, "the import was cancelled"};
@@ -71,7 +102,7 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
   if (run.progress) run.progress(0);
   const auto cures = cures_of(options.repair);
   if (!cures) return cures.error();
-  grid::Curing curing{cures.value()};
+  grid::Curing curing{cures.value(), wants_labels(options)};
   auto mesh = import(Access::lattice(grid.value()), curing);
   if (report && mesh) *report = report_of(mesh.value());
   if (report) {
@@ -84,6 +115,7 @@ Result<Solid> imported(std::span<const double> points, const ImportOptions& opti
   body.grid_points = std::move(mesh.value().points);
   body.triangles = std::move(mesh.value().triangles);
   body.is_proved = options.trust == Trust::nothing;
+  if (curing.wants_sources) body.labels = labels_of(mesh.value().sources, faces, options);
   const bool is_empty = body.triangles.empty();
   if (!is_empty && options.trust == Trust::nothing) {
     auto proved = resolved(body, grid.value(), step_of(run, 0.1, 0.95), report);
@@ -109,8 +141,9 @@ template <class Import>
 Result<Solid> import_to_end(std::span<const double> points, std::size_t faces, const ImportOptions& options,
                             ImportReport* report, Import&& import) {
   if (const auto checked = check_limits(points.size() / 3, faces, options.limits); !checked) return checked.error();
+  if (const auto checked = check_labels(faces, options); !checked) return checked.error();
   return run_to_end(options.run, [&](const Options& run) {
-    return with_threads(run.threads, [&] { return imported(points, options, run, report, import); });
+    return with_threads(run.threads, [&] { return imported(points, faces, options, run, report, import); });
   });
 }
 

@@ -1,5 +1,6 @@
 #include "booleans/arrangement/check.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -67,7 +68,47 @@ void check(const Arrangement& a) {
   });
 }
 
+namespace {
+
+/// Each face carries something, and edges between polygons on one plane are listed as borders, with planes through them.
+void check_labels(const Body& body) {
+  const Labels& labels = body.labels;
+  if (!labels) return require(labels.triangles.empty() && labels.polygons.empty() && labels.borders.empty(), "no labels");
+  require(labels.triangles.size() == body.triangles.size() && labels.polygons.size() == body.polygon_count(),
+          "every face carries something");
+  const auto is_origin = [&](const Provenance& p) { return p.origin() < labels.origins->size(); };
+  require(std::all_of(labels.triangles.begin(), labels.triangles.end(), is_origin) &&
+              std::all_of(labels.polygons.begin(), labels.polygons.end(), is_origin),
+          "faces name origins of the body");
+  for (std::size_t i = 1; i < labels.borders.size(); ++i)
+    require(labels.borders[i - 1].corner < labels.borders[i].corner, "borders are in order");
+
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Array<std::uint32_t>> faces_at;
+  body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t f = begin; f < end; ++f)
+      body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { faces_at[std::minmax(u, v)].push_back(f); });
+  });
+  const auto check_edge = [&](std::uint32_t f, std::uint32_t u, std::uint32_t v) {
+    const auto& at = faces_at[std::minmax(u, v)];
+    const exact::Plane* other = body.border(f, u, v);
+    if (other)
+      require(!exact::parallel(*other, body.plane(f)) && exact::side(*other, body.point(u)) == 0 &&
+                  exact::side(*other, body.point(v)) == 0,
+              "a border is the meeting of two planes");
+    if (at.size() != 2 || at[0] == at[1] || !(body.plane(at[0]) == body.plane(at[1]))) return;
+    require(other != nullptr, "an edge of a polygon on one plane is a border");
+    require(!body.is_same_surface(at[0], at[1]), "neighbours on one plane carry something different");
+  };
+  body.for_runs([&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t f = std::max(begin, static_cast<std::uint32_t>(body.triangles.size())); f < end; ++f)
+      body.for_edges(f, [&](std::uint32_t u, std::uint32_t v) { check_edge(f, u, v); });
+  });
+}
+
+}  // namespace
+
 void check(const Body& body) {
+  check_labels(body);
   const auto message = fault(body, exact::world + 1);
   require(!message, message ? message->c_str() : "");
   std::uint32_t next = 0;

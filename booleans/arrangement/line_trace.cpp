@@ -34,19 +34,21 @@ void LineTracer::collect_stops(const FaceLine& line, std::span<const Box> hull, 
   Array<Stop>& stops = trace.stops;
   stops.clear();
   trace.left = trace.right = 0;
+  trace.runs_along = false;
 
   const TouchedFace& face = touched_.faces[line.face];
   if (const SegmentTree* tree = touched_.edge_tree[line.face].get())
     tree->meeting(names_.planes[line.other], hull,
-                  [&](std::uint32_t i) { add_stops(line, face.edges_begin + i, stops); });
+                  [&](std::uint32_t i) { add_stops(line, face.edges_begin + i, trace); });
   else
-    for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, stops);
+    for (std::uint32_t e = face.edges_begin; e < face.edges_end; ++e) add_stops(line, e, trace);
 
   for (const VertexId v : touched_.isolated_of(line.face))
     if (names_.side(v, line.other) == 0) stops.push_back({v, 0, 0, false, none});
 }
 
-void LineTracer::add_stops(const FaceLine& line, std::uint32_t e, Array<Stop>& stops) {
+void LineTracer::add_stops(const FaceLine& line, std::uint32_t e, Trace& trace) {
+  Array<Stop>& stops = trace.stops;
   const BoundaryEdge& edge = touched_.edges[e];
   // Boundary edges have the face on their left seen from its outward normal.
   const int turn = touched_.faces[line.face].along ? 1 : -1;
@@ -58,6 +60,7 @@ void LineTracer::add_stops(const FaceLine& line, std::uint32_t e, Array<Stop>& s
     stops.push_back({crossing(line, edge), left, right, false, e});
     return;
   }
+  if (su == 0 && sv == 0) trace.runs_along = true;
   if (su == 0) stops.push_back({edge.from, left, right, false, none});
   if (sv == 0) stops.push_back({edge.to, su == 0 ? 0 : left, su == 0 ? 0 : right, false, none});
 }

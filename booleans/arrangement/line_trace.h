@@ -19,10 +19,11 @@ struct Trace {
   Array<Stop> stops;
   int left = 0, right = 0;  // how often the face covers the strips before the first stop
   bool open = false;        // the closed face holds the line before the first stop
+  bool runs_along = false;  // an edge lies on the line, even where its ends are no stops, being too far away
 
   /// Does the line only cross edges, each in a place of its own?
   bool is_plain() const {
-    return std::none_of(stops.begin(), stops.end(), [](const Stop& s) { return s.edge == none; });
+    return !runs_along && std::none_of(stops.begin(), stops.end(), [](const Stop& s) { return s.edge == none; });
   }
 };
 
@@ -84,7 +85,7 @@ class LineTracer {
   }
 
   void collect_stops(const FaceLine& line, std::span<const Box> hull, Trace& trace);
-  void add_stops(const FaceLine& line, std::uint32_t edge, Array<Stop>& stops);
+  void add_stops(const FaceLine& line, std::uint32_t edge, Trace& trace);
   void merge(const FaceLine& line, Array<Stop>& stops) const;
   int cover_after(const FaceLine& line, NewVertex at, int strip) const;
   void anchor(const FaceLine& line, NewVertex at, Trace& trace) const;

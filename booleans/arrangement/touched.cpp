@@ -16,6 +16,7 @@ struct TouchedPart {
     std::uint32_t from, to;  // own vertices
     std::uint32_t other;     // index into planes
     std::uint32_t across;    // the only other face at the edge, which runs backward there; none where that is not known
+    std::uint32_t border = none;  // number of that border of the body
   };
   struct Use {
     std::uint32_t from, to, face;  // own vertices, own face
@@ -147,7 +148,8 @@ class Collector {
     part.faces.back().spared_end = static_cast<std::uint32_t>(part.spared.size());
   }
 
-  /// All triangles coplanar with t, equally oriented, and connected with it over edges of exactly two faces.
+  /// All triangles coplanar with t, equally oriented, that carry the same and are connected with it over edges of
+  /// exactly two faces.
   void add_flat_region(std::uint32_t t) {
     const exact::Plane plane = body_.plane(t);
     const std::size_t first = part.members.size();
@@ -159,7 +161,7 @@ class Collector {
       body_.for_edges(member, [&](std::uint32_t u, std::uint32_t v) {
         const std::uint32_t across = face_across(member, u, v);
         if (is_member(across)) return;
-        if (continues(across, u, v, plane))
+        if (continues(across, u, v, plane) && body_.is_same_surface(t, across))
           add_member(across);
         else
           part.edges.push_back({u, v, none, across});
@@ -212,7 +214,9 @@ class Collector {
     add_member(f);
     for_drawn_loops(f, [&](std::span<const std::uint32_t> loop) {
       if (loop.size() == 1) part.isolated.push_back(loop[0]);
+      const std::size_t first = part.edges.size();
       grid::for_loop_edges(loop, [&](std::uint32_t u, std::uint32_t v) { part.edges.push_back({u, v, none, none}); });
+      add_borders(loop, first);
     });
     if (spared_.any()) {
       const std::uint32_t p = body_.polygon(f);
@@ -220,6 +224,14 @@ class Collector {
         if (spared_[j]) part.spared.push_back(j);
     }
     end_region();
+  }
+
+  /// Tells the edges of a loop, listed from `first` on, which borders they are.
+  void add_borders(std::span<const std::uint32_t> loop, std::size_t first) {
+    if (body_.labels.borders.empty()) return;
+    const auto begin = static_cast<std::uint32_t>(loop.data() - body_.polygons.corners.data());
+    for (const Border& b : body_.labels.borders_within(begin, begin + static_cast<std::uint32_t>(loop.size())))
+      part.edges[first + (b.corner - begin)].border = static_cast<std::uint32_t>(&b - body_.labels.borders.data());
   }
 
   /// The planes of the last face at an edge, and of the last one on another plane; none where there is none. Indices
@@ -268,6 +280,7 @@ class Collector {
       const EdgePlanes planes = known_planes_at(e);
       for (const std::uint32_t plane : {planes.other, planes.last})
         if (plane != none && !same_plane(part.planes[plane], own)) e.other = plane;
+      if (e.other == none && e.border != none) e.other = new_plane(body_.labels.borders[e.border].other);
       if (e.other != none) continue;
       assert(body_.is_grid(e.from) && body_.is_grid(e.to));
       e.other = new_plane(exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], own));

@@ -28,6 +28,7 @@ void copy_changed_triangles(Making& m) {
     if (f >= host.triangles.size()) continue;
     const auto& t = host.triangles[f];
     m.body.triangles.push_back({id(t[0]), id(t[2]), id(t[1])});
+    if (m.has_labels()) m.body.labels.triangles.push_back(m.kept_provenance(m.host, f));
   }
 }
 
@@ -56,6 +57,7 @@ Body assemble(const Arrangement& a, const Selection& selection) {
     reserve(m);
   else
     keep_host(m);
+  if (m.has_labels()) keep_labels(m);
   m.body.full_at_infinity = selection.full_at_infinity;
   m.body.is_proved = a.operands.are_proved;
 

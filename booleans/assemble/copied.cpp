@@ -16,7 +16,8 @@ struct RawCopies {
   Array<std::uint32_t> table;  // own vertices that are in the table
   Array<Triangle*> at_table;   // triangles that have such
   std::span<Triangle> triangles;
-  std::uint32_t first = 0;  // the id of the first point
+  std::span<Provenance> provenance;  // of the triangles, with labels
+  std::uint32_t first = 0;           // the id of the first point
 };
 
 bool is_raw(const Operands& operands, const OperandChunk& c) {
@@ -54,8 +55,11 @@ Triangle* copy_chunk(Making& m, const OperandChunk& c, Triangle* next, RawCopies
   for (const FaceId f : Ids<FaceId>(c.begin, c.end)) {
     const int kept = m.kept(f);
     if (kept == 0) continue;
-    Triangle t = body.triangles[m.a.operands.own(c.operand, f)];
+    const std::uint32_t own = m.a.operands.own(c.operand, f);
+    Triangle t = body.triangles[own];
     if (kept < 0) std::swap(t[1], t[2]);
+    if (!copies.provenance.empty())
+      copies.provenance[static_cast<std::size_t>(next - copies.triangles.data())] = m.kept_provenance(c.operand, own);
     at_table = false;
     *next = {corner(t[0]), corner(t[1]), corner(t[2])};
     if (at_table) copies.at_table.push_back(next);
@@ -105,6 +109,8 @@ void copy_raw(Making& m) {
   for (std::size_t i = 0; i < chunks.size(); ++i) start[i + 1] += start[i];
   m.body.triangles.reserve(start.back() + m.changed.size() + m.a.sheets.facet_count());
   const auto out = m.body.triangles.grow(start.back() - start.front());
+  std::span<Provenance> provenance;
+  if (m.has_labels()) provenance = m.body.labels.triangles.grow(out.size());
 
   ById<OperandId, RawCopies> raw(n);
   grid::in_tasks(n, out.size(), [&](std::size_t i) {
@@ -112,6 +118,7 @@ void copy_raw(Making& m) {
     const std::uint32_t begin = m.a.operands.first_chunk[o], end = m.a.operands.first_chunk[o.value + 1];
     RawCopies& r = raw[o];
     r.triangles = out.subspan(start[begin] - start.front(), start[end] - start[begin]);
+    if (m.has_labels()) r.provenance = provenance.subspan(start[begin] - start.front(), r.triangles.size());
     r.points.reserve(std::min(m.a.operands[o].grid_points.size(), 3 * r.triangles.size()));
     Triangle* next = r.triangles.data();
     for (std::uint32_t c = begin; c < end; ++c)
@@ -150,9 +157,47 @@ bool copied_whole(Making& m, const OperandChunk& c) {
   for (const std::uint32_t v : corners)
     if (m.vertices.in_table(c.operand, v)) return false;
 
+  if (m.has_labels()) {
+    m.body.labels.append_borders(body.labels, from.corner_range(p).begin, from.corner_range(q - 1).end,
+                                 static_cast<std::uint32_t>(m.body.polygons.corners.size()));
+    for (std::size_t i = p; i < q; ++i)
+      m.body.labels.polygons.push_back(
+          m.a.operands.provenance(c.operand, static_cast<std::uint32_t>(body.triangles.size() + i)));
+  }
   m.body.polygons.append_faces(from, p, q, [&](std::uint32_t v) { return m.corner(m.vertices.named(c.operand, v)); });
   m.body.planes.append(body.planes.begin() + p, body.planes.begin() + q);
   return true;
+}
+
+/// The borders of a polygon whose loops are to be added as they stay.
+void copy_borders(Making& m, const OwnPolygon& p) {
+  const Body& body = m.a.operands[p.operand];
+  const auto& polygons = body.polygons;
+  const std::uint32_t polygon = body.polygon(p.face);
+  const bool turned = m.kept(m.a.operands.face(p.operand, p.face)) < 0;
+  auto to = static_cast<std::uint32_t>(m.body.polygons.corners.size());
+  for (std::uint32_t j = polygons.face_start[polygon]; j < polygons.face_start[polygon + 1]; ++j) {
+    const std::uint32_t begin = polygons.loop_start[j], end = polygons.loop_start[j + 1];
+    if (turned)
+      m.body.labels.append_reversed_borders(body.labels, begin, end, to);
+    else
+      m.body.labels.append_borders(body.labels, begin, end, to);
+    to += end - begin;
+  }
+}
+
+/// The lines of the loops of a polygon that waits, as they stay.
+void add_waiting_lines(Making& m, const OwnPolygon& p) {
+  const Body& body = m.a.operands[p.operand];
+  const bool turned = m.kept(m.a.operands.face(p.operand, p.face)) < 0;
+  body.polygons.for_loops(body.polygon(p.face), [&](std::span<const std::uint32_t> loop) {
+    const std::size_t to = m.waiting_lines.size();
+    const auto begin = static_cast<std::uint32_t>(loop.data() - body.polygons.corners.data()),
+               end = begin + static_cast<std::uint32_t>(loop.size());
+    m.waiting_lines.resize(to + loop.size(), nullptr);
+    for (const Border& b : body.labels.borders_within(begin, end))
+      m.waiting_lines[to + (turned ? reversed_corner(b.corner, begin, end) : b.corner) - begin] = &b.other;
+  });
 }
 
 /// Copies a polygon that stays; one with a vertex in the table is listed instead.
@@ -163,9 +208,10 @@ void copy_polygon(Making& m, const OwnPolygon& p) {
     m.waiting.push_back(p);
     return;
   }
+  if (m.has_labels()) copy_borders(m, p);
   add_kept_loops(
       m, p, [&, o = o](std::uint32_t v) { return m.corner(m.vertices.named(o, v)); }, m.body.polygons);
-  m.close_polygon(m.kept_plane(p));
+  m.close_polygon(m.kept_plane(p), m.has_labels() ? m.kept_provenance(o, face) : Provenance());
 }
 
 }  // namespace
@@ -196,6 +242,7 @@ void copy_polygons(Making& m) {
     add_kept_loops(
         m, p, [&](std::uint32_t v) { return m.vertices.place(p.operand, v); }, m.waiting_loops);
     m.waiting_loops.end_face();
+    if (m.has_labels()) add_waiting_lines(m, p);
   }
 }
 

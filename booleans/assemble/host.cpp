@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "booleans/assemble/making.h"
 
 namespace quoin::booleans {
@@ -70,6 +72,34 @@ void keep_near_chunk(Making& m, const OperandChunk& c) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Numbers of origins change to those among all operands; where all stay, the list stays shared.
+void rename(grid::SharedList<Provenance>& list, const Array<std::uint32_t>& number) {
+  for (auto& p : list.edit()) p = p.in(number[p.origin()]);
+}
+
+}  // namespace
+
+void keep_labels(Making& m) {
+  Labels& labels = m.body.labels;
+  labels.origins = m.a.operands.origins;
+  if (m.host == none) return;
+
+  const Array<std::uint32_t>& number = m.a.operands.origins_of[m.host];
+  if (!m.a.operands[m.host].labels) {
+    std::ranges::fill(labels.triangles.grow(m.body.triangles.size()), Provenance(number[0], 0));
+    std::ranges::fill(labels.polygons.grow(m.body.planes.size()), Provenance(number[0], 0));
+    return;
+  }
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    if (number[i] == i) continue;
+    rename(labels.triangles, number);
+    rename(labels.polygons, number);
+    return;
+  }
+}
 
 void keep_host(Making& m) {
   const Operands& operands = m.a.operands;

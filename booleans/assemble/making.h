@@ -22,6 +22,7 @@ struct Making {
   /// Copied polygons that wait until all faces are known, turned as they stay.
   Array<OwnPolygon> waiting;
   grid::Loops<PlaceId> waiting_loops;
+  Array<const exact::Plane*> waiting_lines;  // with labels: as Regions::lines
   /// Untouched faces of the host that stay, but not as they are; own numbers.
   Array<std::uint32_t> changed;
   /// Of copied faces; polygons count from the first polygon.
@@ -56,9 +57,17 @@ struct Making {
   }
   /// A name as a corner; as an id, if ids of derived points are known already.
   std::uint32_t corner(ResultName name) const { return host == none ? name.as_corner() : final_id(name); }
-  void close_polygon(const exact::Plane& plane) {
+  bool has_labels() const { return a.operands.origins != nullptr; }
+  /// What an untouched face carries, turned as it stays. Precondition: there are labels.
+  Provenance kept_provenance(OperandId operand, std::uint32_t face) const {
+    const Provenance p = a.operands.provenance(operand, face);
+    return kept(a.operands.face(operand, face)) < 0 ? p.turned() : p;
+  }
+  /// `provenance`: counts with labels only.
+  void close_polygon(const exact::Plane& plane, const Provenance& provenance) {
     body.planes.push_back(plane);
     body.polygons.end_face();
+    if (has_labels()) body.labels.polygons.push_back(provenance);
   }
 };
 
@@ -67,6 +76,8 @@ void keep_chunk(Array<Chunk>& chunks, std::uint32_t begin, std::uint32_t end, co
 
 /// An operand whose lists the result may share: all of it but little lies far from the others and stays; else none.
 OperandId find_host(const Arrangement& a, const Selection& selection);
+/// Begins with the labels of the host, if there is one: its faces name their origins among those of all operands.
+void keep_labels(Making& m);
 /// Begins with the host's lists. Of its chunks remains what stays as it is; other faces of it are left to `changed`.
 void keep_host(Making& m);
 /// How much of the lists of a patched body is gone: more than a quarter of the faces, or as many vertices as are there;

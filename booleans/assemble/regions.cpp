@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "booleans/classify/naming.h"
 #include "grid/lists/partition.h"
 #include "grid/lists/stretches.h"
 
@@ -11,7 +12,8 @@ namespace {
 /// Merges one sheet after the other, each with the memory of those before.
 class Merger {
  public:
-  Merger(const Arrangement& a, const Selection& selection) : a_(a), s_(selection) {}
+  Merger(const Arrangement& a, const Selection& selection)
+      : a_(a), s_(selection), has_labels_(a.operands.origins != nullptr) {}
 
   Regions regions;
 
@@ -39,6 +41,11 @@ class Merger {
     count_ = 0;
     loops_.clear();
     corners_.clear();
+    lines_.clear();
+    if (has_labels_) {
+      is_border_ = s_.is_border.data() + a_.sheets.element(sheet, 0).value;
+      name_facets(sheet);
+    }
     group_facets();
     trace_loops();
     add_touching_points();
@@ -58,11 +65,26 @@ class Merger {
   std::uint32_t half_edges() const { return sheet_->half_edges(); }
   int kept(std::uint32_t h) const { return sheet_->facet[h] == none ? 0 : int{kept_[sheet_->facet[h].value]}; }
 
-  /// An element vanishes where exactly two kept facets meet, both in this plane and equally oriented.
+  /// Exactly two kept facets meet there, both in this plane and equally oriented.
+  bool is_flat(std::uint32_t h) const { return kept(h) == kept(h ^ 1) && kept_at_[h / 2] == 2; }
+  /// Another face goes on behind it on this plane.
+  bool is_border(std::uint32_t h) const { return is_flat(h) || is_border_[h / 2] != 0; }
+  bool is_same_surface(std::uint32_t h) const {
+    return !has_labels_ || a_.operands.origins->is_same_surface(names_[sheet_->facet[h].value],
+                                                                names_[sheet_->facet[h ^ 1].value]);
+  }
+  /// A flat element vanishes, unless the facets carry something different.
   Part part_of(std::uint32_t h) const {
     if (kept(h) == 0) return Part::gone;
-    const bool cancelled = kept(h) == kept(h ^ 1) && kept_at_[h / 2] == 2;
-    return cancelled ? Part::inside : Part::border;
+    return is_flat(h) && is_same_surface(h) ? Part::inside : Part::border;
+  }
+
+  /// What the kept facets carry.
+  void name_facets(SheetId sheet) {
+    names_.resize(sheet_->facet_count());
+    for (const FacetId f : Ids<FacetId>(sheet_->facet_count()))
+      if (kept_[f.value] != 0)
+        names_[f.value] = provenance_of(a_, s_.named_by[a_.sheets.node(sheet, f)], kept_[f.value]);
   }
 
   void group_facets() {
@@ -76,6 +98,15 @@ class Merger {
       has_inside_ = true;
       groups_.unite(sheet_->facet[h].value, sheet_->facet[h ^ 1].value);
     }
+    if (has_labels_ && has_inside_) name_groups();
+  }
+  /// Of what facets of one group carry the first one counts.
+  void name_groups() {
+    for (std::uint32_t f = 0; f < sheet_->facet_count(); ++f) {
+      if (kept_[f] == 0) continue;
+      Provenance& first = names_[groups_.find(f)];
+      if (a_.operands.origins->comes_before(names_[f], first)) first = names_[f];
+    }
   }
   /// Takes the corners from `begin` on for a loop of the facet's region.
   void close_loop(FacetId facet, std::size_t begin) {
@@ -84,17 +115,24 @@ class Merger {
     loops_.push_back({region, facet, begin, corners_.size()});
   }
 
+  /// Turns the loop of the corners from `begin` on round; the edge that began at its last corner still does.
+  void reverse_loop(std::size_t begin) {
+    std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
+    if (has_labels_) std::reverse(lines_.begin() + static_cast<std::ptrdiff_t>(begin), lines_.end() - 1);
+  }
+
   void trace_loops() {
     for (std::uint32_t h = 0; h < half_edges(); ++h) {
       if (parts_[h] != Part::border) continue;
       const std::size_t begin = corners_.size();
       for (std::uint32_t g = h; parts_[g] == Part::border;) {
+        if (has_labels_) lines_.push_back(is_border(g) ? &a_.names.planes[sheet_->elements[g / 2].line] : nullptr);
         parts_[g] = Part::gone;
         corners_.push_back(sheet_->origin(g));
         g = sheet_->clockwise[g ^ 1];
         while (parts_[g] == Part::inside) g = sheet_->clockwise[g];
       }
-      if (kept(h) < 0) std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
+      if (kept(h) < 0) reverse_loop(begin);
       close_loop(sheet_->facet[h], begin);
     }
   }
@@ -103,6 +141,7 @@ class Merger {
   void add_touching_points() {
     const auto add = [&](FacetId facet, VertexId vertex) {
       corners_.push_back(vertex);
+      if (has_labels_) lines_.push_back(nullptr);
       close_loop(facet, corners_.size() - 1);
     };
     for (const Sheet::Isolated& i : sheet_->isolated)
@@ -138,9 +177,13 @@ class Merger {
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const Loop& l = loops_[i];
       regions.loops.add_loop(std::span<const VertexId>(corners_).subspan(l.begin, l.end - l.begin));
+      if (has_labels_)
+        regions.lines.insert(regions.lines.end(), lines_.begin() + static_cast<std::ptrdiff_t>(l.begin),
+                             lines_.begin() + static_cast<std::ptrdiff_t>(l.end));
       if (i + 1 < loops_.size() && loops_[i + 1].region == l.region) continue;
       regions.loops.end_face();
       regions.planes.push_back({sheet_->plane, kept_[l.facet.value] < 0});
+      if (has_labels_) regions.provenance.push_back(names_[groups_.find(l.facet.value)]);
     }
   }
 
@@ -156,6 +199,10 @@ class Merger {
   std::uint32_t count_ = 0;                // of regions
   Array<Loop> loops_;
   Array<VertexId> corners_;
+  const bool has_labels_;
+  const std::uint8_t* is_border_ = nullptr;  // of the sheet's elements
+  Array<Provenance> names_;           // of kept facets; at the root of a group that of all of it
+  Array<const exact::Plane*> lines_;  // by corner, as Regions::lines
 };
 
 }  // namespace

@@ -95,6 +95,13 @@ void ResultVertices::add_neighbours(PlaceId p, PlaceId before, PlaceId next) {
   }
 }
 
+int ResultVertices::side(PlaceId p, const exact::Plane& plane) const {
+  if (!in_table(p)) return exact::side(plane, a_.operands[outside(p).operand].point(outside(p).vertex));
+  const auto& vertices = a_.names.vertices;
+  return vertices.is_grid(p.value) ? exact::side(plane, vertices.grid_point(p.value))
+                                   : exact::side(plane, vertices.point(p.value));
+}
+
 ResultName ResultVertices::named(PlaceId p) {
   ResultName& name = places_[p].name;
   if (name.is_none() && host_ != none && in_table(p)) name = host_name_of_table_[VertexId(p.value)];

@@ -64,6 +64,10 @@ class ResultVertices {
 
   /// A loop of at least two corners goes through a place, from one other to the next.
   void add_neighbours(PlaceId p, PlaceId before, PlaceId next);
+  /// Edges need it, whatever its neighbours.
+  void need(PlaceId p) { places_[p].neighbours = {p, many}; }
+  /// On which side of a plane it lies.
+  int side(PlaceId p, const exact::Plane& plane) const;
   /// Do edges need it? Between exactly two neighbours it lies inside a straight edge: at least two faces that are not
   /// coplanar pass through both of its edges, so both lie on the line of their planes.
   bool is_needed(PlaceId p) const { return places_[p].neighbours[1] == many; }

@@ -15,6 +15,19 @@ exact::Plane Body::plane(std::uint32_t face) const {
   return *p;
 }
 
+const exact::Plane* Body::border(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
+  if (face < triangles.size() || labels.borders.empty()) return nullptr;
+  const std::uint32_t p = polygon(face);
+  std::uint32_t j = polygons.face_start[p];
+  const auto [begin, end] = polygons.corner_range(p);
+  for (const Border& b : labels.borders_within(begin, end)) {
+    while (polygons.loop_start[j + 1] <= b.corner) ++j;
+    const std::uint32_t next = b.corner + 1 < polygons.loop_start[j + 1] ? b.corner + 1 : polygons.loop_start[j];
+    if (polygons.corners[b.corner] == u && polygons.corners[next] == v) return &b.other;
+  }
+  return nullptr;
+}
+
 void Body::settle() {
   grid_points.settle();
   points.settle();
@@ -23,6 +36,7 @@ void Body::settle() {
   polygons.face_start.settle();
   polygons.loop_start.settle();
   polygons.corners.settle();
+  labels.settle();
 }
 
 namespace {
@@ -88,6 +102,7 @@ Body packed(const Body& body) {
   Body r;
   r.full_at_infinity = body.full_at_infinity;
   r.is_proved = body.is_proved;
+  r.labels.origins = body.labels.origins;
   constexpr std::uint32_t derived = 1u << 31;  // until the number of grid points is known
   Array<std::uint32_t> name(body.vertex_count(), none);
   const auto named = [&](std::uint32_t v) {
@@ -109,9 +124,15 @@ Body packed(const Body& body) {
       if (f < raw) {
         const auto& t = body.triangles[f];
         r.triangles.push_back({named(t[0]), named(t[1]), named(t[2])});
+        if (body.labels) r.labels.triangles.push_back(body.labels.triangles[f]);
         continue;
       }
 
+      if (body.labels) {
+        r.labels.polygons.push_back(body.labels.polygons[f - raw]);
+        const auto [first, last] = body.polygons.corner_range(f - raw);
+        r.labels.append_borders(body.labels, first, last, static_cast<std::uint32_t>(r.polygons.corners.size()));
+      }
       body.polygons.for_loops(f - raw, [&](std::span<const std::uint32_t> loop) {
         for (const std::uint32_t v : loop) r.polygons.corners.push_back(named(v));
         r.polygons.end_loop();
@@ -133,6 +154,7 @@ void drop_gone_loops(Body& body) {
   // Room for more than as much again: results that share these lists add to them before the next time. Room that is not
   // used costs no memory.
   decltype(body.polygons) left;
+  Labels left_labels{body.labels.origins, body.labels.triangles, body.labels.polygons, {}};
   left.reserve(body.polygon_count() + body.polygon_count() / 2, 2 * body.polygons.loop_count(), 3 * corners);
 
   std::uint32_t next = 0;
@@ -142,12 +164,16 @@ void drop_gone_loops(Body& body) {
   for (const Chunk& c : body.chunks) {
     if (c.begin < raw) continue;
     skip_to(c.begin - raw);
+    left_labels.append_borders(body.labels, body.polygons.corner_range(next).begin,
+                               body.polygons.corner_range(c.end - raw - 1).end,
+                               static_cast<std::uint32_t>(left.corners.size()));
     left.append_faces(body.polygons, next, c.end - raw, [](std::uint32_t v) { return v; });
     next = c.end - raw;
   }
   skip_to(static_cast<std::uint32_t>(body.polygon_count()));
 
   body.polygons = std::move(left);
+  body.labels = std::move(left_labels);
   body.gone_corners = 0;
 }
 
@@ -159,6 +185,16 @@ Body complement(const Body& body) {
   const auto corners = r.polygons.corners.edit();
   for (std::size_t j = 0; j + 1 < r.polygons.loop_start.size(); ++j)
     std::reverse(corners.begin() + r.polygons.loop_start[j], corners.begin() + r.polygons.loop_start[j + 1]);
+
+  for (auto& p : r.labels.triangles.edit()) p = p.turned();
+  for (auto& p : r.labels.polygons.edit()) p = p.turned();
+  if (!body.labels.borders.empty()) {
+    r.labels.borders = {};
+    for (std::size_t j = 0; j < body.polygons.loop_count(); ++j) {
+      const std::uint32_t begin = body.polygons.loop_start[j], end = body.polygons.loop_start[j + 1];
+      r.labels.append_reversed_borders(body.labels, begin, end, begin);
+    }
+  }
 
   r.full_at_infinity = !r.full_at_infinity;
   return r;

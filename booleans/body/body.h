@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "booleans/body/box.h"
+#include "booleans/body/labels.h"
 #include "grid/lists/loops.h"
 #include "grid/lists/shared_list.h"
 
@@ -41,7 +42,8 @@ struct Chunk {
 ///   B2  faces meet only in shared vertices and shared edges: no vertex lies inside an edge or a face that does not
 ///       list it (a touching vertex inside a face is a loop of one corner), no two faces cross or overlap;
 ///   B3  the winding number is 1 just inside every face and 0 just outside;
-///   B4  a polygon is coplanar with no face that shares a two-faced edge with it.
+///   B4  a polygon is coplanar with no face that shares a two-faced edge with it, but for faces that carry something
+///       else (labels.h): then the edge is listed as a border of the polygon.
 struct Body {
   grid::SharedList<exact::GridPoint> grid_points;
   grid::SharedList<exact::Point> points;
@@ -59,6 +61,7 @@ struct Body {
   /// All faces in order, or, of a packed body, nothing: kept so that the next operation need not look at faces far from
   /// it.
   Array<Chunk> chunks;
+  Labels labels;
 
   /// Bounds of ids, and numbers if the body is packed.
   std::size_t vertex_count() const { return derived_base() + points.size(); }
@@ -83,6 +86,16 @@ struct Body {
   }
   /// A polygon's index among the polygons. Precondition: not a raw triangle.
   std::uint32_t polygon(std::uint32_t face) const { return face - static_cast<std::uint32_t>(triangles.size()); }
+  /// Precondition: faces have labels.
+  const Provenance& provenance(std::uint32_t face) const {
+    return face < triangles.size() ? labels.triangles[face] : labels.polygons[polygon(face)];
+  }
+  /// Another plane through the edge of a face from u to v; null where that is no border of a polygon.
+  const exact::Plane* border(std::uint32_t face, std::uint32_t u, std::uint32_t v) const;
+  /// Do faces carry the same?
+  bool is_same_surface(std::uint32_t f, std::uint32_t g) const {
+    return !labels || labels.origins->is_same_surface(provenance(f), provenance(g));
+  }
   std::uint32_t corner_count(std::uint32_t face) const {
     return face < triangles.size() ? 3 : polygons.corner_count(polygon(face));
   }

@@ -35,16 +35,24 @@ bool is_raw(const Boundary& boundary, std::size_t face) {
 Body body_of(const Boundary& boundary) {
   Body body;
   body.full_at_infinity = boundary.full_at_infinity;
+  body.labels.origins = boundary.labels.origins;
   const std::vector<std::uint32_t> id = add_vertices(boundary.vertices, body);
 
   for (std::size_t f = 0; f < boundary.face_count(); ++f) {
     if (is_raw(boundary, f)) {
       const auto corners = boundary.faces.corners_of(f);
       body.triangles.push_back({id[corners[0]], id[corners[1]], id[corners[2]]});
+      if (boundary.labels) body.labels.triangles.push_back(boundary.labels.polygons[f]);
       continue;
     }
 
     body.planes.push_back(boundary.planes[f]);
+    if (boundary.labels) {
+      const auto [begin, end] = boundary.faces.corner_range(f);
+      body.labels.polygons.push_back(boundary.labels.polygons[f]);
+      body.labels.append_borders(boundary.labels, begin, end,
+                                 static_cast<std::uint32_t>(body.polygons.corners.size()));
+    }
     boundary.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) {
       for (const std::uint32_t v : loop) body.polygons.corners.push_back(id[v]);
       body.polygons.end_loop();

@@ -16,6 +16,7 @@ struct Boundary {
   std::vector<exact::Plane> planes;  // one a face, normal outwards
   grid::Loops<std::uint32_t> faces;  // of vertex indices
   bool full_at_infinity = false;
+  Labels labels = {};  // of the faces, as those of polygons
 
   std::size_t face_count() const { return planes.size(); }
 };
@@ -23,12 +24,12 @@ struct Boundary {
 /// Is a face one triangle between grid points?
 bool is_raw(const Boundary& boundary, std::size_t face);
 
-/// The body with these faces; triangles between grid points become raw, the others are polygons in their order.
+/// The body with these faces and labels; triangles between grid points become raw, the others are polygons in their order.
 Body body_of(const Boundary& boundary);
 /// The boundary's face that each face of that body is.
 std::vector<std::uint32_t> faces_in_order_of_body(const Boundary& boundary);
 
-/// Equal numbers in equal order: for canonical forms on one grid, equal point sets.
+/// Equal numbers in equal order, whatever faces carry: for canonical forms on one grid, equal point sets.
 bool operator==(const Boundary& a, const Boundary& b);
 
 /// The same homogeneous numbers.

@@ -42,15 +42,21 @@ bool coplanar(const Body& body, std::uint32_t f, std::uint32_t g) {
 }
 
 /// The maximal faces, as sets of faces: an edge of exactly two faces on one oriented plane is no edge. Marks the
-/// half-edges that stay, and where their undirected edges begin.
-grid::Partition merged_faces(const Body& body, std::span<HalfEdge> edges) {
+/// half-edges that stay, and where their undirected edges begin. `with_labels`: faces that carry something different
+/// stay apart.
+grid::Partition merged_faces(const Body& body, std::span<HalfEdge> edges, bool with_labels) {
   grid::Partition merged(body.face_count());
   for_undirected_edges(edges, [&](std::size_t i, std::size_t j) {
-    if (j - i == 2 && edges[i].from == edges[i + 1].to && coplanar(body, edges[i].face, edges[i + 1].face)) {
+    const bool flat =
+        j - i == 2 && edges[i].from == edges[i + 1].to && coplanar(body, edges[i].face, edges[i + 1].face);
+    if (flat && (!with_labels || body.is_same_surface(edges[i].face, edges[i + 1].face))) {
       merged.unite(edges[i].face, edges[i + 1].face);
       edges[i].kept = edges[i + 1].kept = false;
     } else {
-      for (std::size_t k = i; k < j; ++k) edges[k].run = static_cast<std::uint32_t>(i);
+      for (std::size_t k = i; k < j; ++k) {
+        edges[k].run = static_cast<std::uint32_t>(i);
+        edges[k].flat = flat;
+      }
     }
     return true;
   });
@@ -59,10 +65,11 @@ grid::Partition merged_faces(const Body& body, std::span<HalfEdge> edges) {
 
 // 3. Needed vertices
 
-/// The vertices that must be: those with more than two neighbours along kept edges. One with two lies inside an edge.
-Array<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::size_t vertex_count) {
-  Array<std::array<std::uint32_t, 2>> neighbours(vertex_count, {none, none});
-  Array<std::uint8_t> needed(vertex_count);
+/// The vertices that must be: those with more than two neighbours along kept edges. One with two lies inside an edge,
+/// unless a border on one plane bends there.
+Array<std::uint8_t> needed_vertices(const Body& body, std::span<const HalfEdge> edges) {
+  Array<std::array<std::uint32_t, 2>> neighbours(body.vertex_count(), {none, none});
+  Array<std::uint8_t> needed(body.vertex_count());
   const auto add = [&](std::uint32_t v, std::uint32_t w) {
     auto& n = neighbours[v];
     if (n[0] == none || n[0] == w)
@@ -76,6 +83,12 @@ Array<std::uint8_t> needed_vertices(std::span<const HalfEdge> edges, std::size_t
     if (!e.kept) continue;
     add(e.from, e.to);
     add(e.to, e.from);
+  }
+  for (const HalfEdge& e : edges) {
+    if (!e.flat || needed[e.from]) continue;
+    const auto& [u, w] = neighbours[e.from];
+    if (w == none || exact::orientation_in_plane(body.plane(e.face), body.point(u), body.point(e.from), body.point(w)))
+      needed[e.from] = 1;
   }
   return needed;
 }
@@ -154,7 +167,7 @@ HalfEdges face_edges(std::span<const HalfEdge> all, grid::Partition& merged, std
     for (const HalfEdge& e : all) {
       if (!e.kept) continue;
       const std::uint32_t face = merged.find(e.face);
-      visit(face, HalfEdge{e.from, e.to, face, e.run, true});
+      visit(face, HalfEdge{e.from, e.to, face, e.run, true, e.flat});
     }
   });
   sort_each(by_face,
@@ -195,18 +208,20 @@ class Directions {
     return false;
   }
 
- private:
-  /// The plane of another face at the edge that is not parallel to this one; of an edge that a body which was trusted
-  /// wrongly folds onto one plane, another plane through it.
+  /// The plane of another face at the edge that is not parallel to this one; of a border, or of an edge that a body
+  /// which was trusted wrongly folds onto one plane, another plane through it.
   exact::Plane other_plane(const HalfEdge& e) const {
     for (std::size_t i = e.run; i < all_.size() && all_[i].run == e.run; ++i) {
       const exact::Plane p = body_.plane(all_[i].face);
       if (!exact::parallel(p, plane_)) return p;
+      const exact::Plane* border = body_.border(all_[i].face, all_[i].from, all_[i].to);
+      if (border && !exact::parallel(*border, plane_)) return *border;
     }
     if (!body_.is_grid(e.from) || !body_.is_grid(e.to)) return plane_;
     return exact::upright_plane(body_.grid_points[e.from], body_.grid_points[e.to], plane_);
   }
 
+ private:
   const Body& body_;
   const std::span<const HalfEdge> all_;
   const exact::Plane& plane_;
@@ -311,37 +326,74 @@ void sort_loops(grid::Loops<std::uint32_t>& faces, std::size_t first) {
   for (const auto& loop : loops) faces.add_loop(loop);
 }
 
+/// An edge of a merged face by the ranks of its ends, and a half-edge on it.
+struct FlatEdge {
+  std::array<std::uint32_t, 2> ends;
+  std::uint32_t half_edge;
+};
+
 /// Adds the loops of a face, found by following the successors; its vertices by rank, without those that are not
-/// needed.
+/// needed. Lists the flat ones among their edges.
 void add_loops(std::span<const HalfEdge> face, Array<std::uint32_t>& next, const Array<std::uint32_t>& rank,
-               grid::Loops<std::uint32_t>& faces) {
+               grid::Loops<std::uint32_t>& faces, Array<FlatEdge>& flat) {
   for (std::size_t h = 0; h < face.size(); ++h) {
     if (next[h] == none) continue;
+    const std::size_t first_flat = flat.size();
     for (std::size_t g = h; next[g] != none;) {
-      if (rank[face[g].from] != none) faces.corners.push_back(rank[face[g].from]);
+      if (rank[face[g].from] != none) {
+        faces.corners.push_back(rank[face[g].from]);
+        if (face[g].flat)
+          flat.push_back(
+              {{static_cast<std::uint32_t>(faces.corners.size() - 1), 0}, static_cast<std::uint32_t>(g)});
+      }
       g = std::exchange(next[g], none);
     }
     // Of a body that was trusted wrongly a loop may need no vertex.
     if (faces.corners.size() == faces.loop_start.back()) continue;
     faces.end_loop();
+    for (std::size_t i = first_flat; i < flat.size(); ++i) {
+      const std::uint32_t corner = flat[i].ends[0], begin = faces.loop_start[faces.loop_count() - 1];
+      const std::uint32_t after = corner + 1 < faces.corners.size() ? corner + 1 : begin;
+      flat[i].ends = {faces.corners[corner], faces.corners[after]};
+    }
     rotate_to_least(std::span(faces.corners).subspan(faces.loop_start[faces.loop_count() - 1]));
+  }
+}
+
+/// Lists the borders among the edges of the last face.
+void add_borders(std::span<const HalfEdge> face, Array<FlatEdge>& flat, const Directions& directions, Boundary& r) {
+  if (flat.empty()) return;
+  std::sort(flat.begin(), flat.end(), [](const FlatEdge& a, const FlatEdge& b) { return a.ends < b.ends; });
+  for (std::size_t j = r.faces.face_start[r.faces.face_start.size() - 2]; j < r.faces.loop_count(); ++j) {
+    const auto loop = r.faces.loop(j);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::array ends{loop[i], loop[grid::next_in_loop(i, loop.size())]};
+      const auto at = std::lower_bound(flat.begin(), flat.end(), ends,
+                                       [](const FlatEdge& e, const auto& wanted) { return e.ends < wanted; });
+      if (at == flat.end() || at->ends != ends) continue;
+      r.labels.borders.push_back({r.faces.loop_start[j] + static_cast<std::uint32_t>(i),
+                                  directions.other_plane(face[at->half_edge])});
+    }
   }
 }
 
 /// The merged faces of which begin .. end - 1 are the smallest members, in this order.
 Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank, std::uint32_t begin,
-                      std::uint32_t end) {
+                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
+                      const Array<Provenance>& names, std::uint32_t begin, std::uint32_t end) {
   Boundary r;
   DividingDesk desk;
+  Array<FlatEdge> flat;
   for (std::uint32_t f = begin; f < end; ++f) {
     const std::span<const HalfEdge> face = by_face[f];
     if (face.empty()) continue;
 
     const exact::Plane plane = body.plane(f);
     const std::size_t first = r.faces.loop_count();
-    find_successors(face, Directions(body, all, plane), desk);
-    add_loops(face, desk.next, rank, r.faces);
+    const Directions directions(body, all, plane);
+    find_successors(face, directions, desk);
+    flat.clear();
+    add_loops(face, desk.next, rank, r.faces, flat);
 
     const auto own = std::lower_bound(points.begin(), points.end(), PointInFace{f, 0});
     for (auto at = own; at != points.end() && (*at)[0] == f; ++at) r.faces.add_loop(std::array{rank[(*at)[1]]});
@@ -350,23 +402,34 @@ Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const Hal
     if (r.faces.loop_count() - first > 1) sort_loops(r.faces, first);
     r.planes.push_back(plane);
     r.faces.end_face();
+    if (!names.empty()) r.labels.polygons.push_back(names[f]);
+    add_borders(face, flat, directions, r);
   }
   return r;
 }
 
+/// Adds the labels of faces whose loops are to be added.
+void append_labels(Boundary& r, const Boundary& more) {
+  r.labels.polygons.append(more.labels.polygons.begin(), more.labels.polygons.end());
+  r.labels.append_borders(more.labels, 0, static_cast<std::uint32_t>(more.faces.corners.size()),
+                          static_cast<std::uint32_t>(r.faces.corners.size()));
+}
+
 /// All merged faces, in the order of their smallest members.
 Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank) {
+                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
+                      const Array<Provenance>& names) {
   const std::size_t length = grid::long_stretch(body.face_count(), std::size_t{1} << 12);
   std::vector<Boundary> parts(body.face_count() / length + 1);
   grid::in_stretches(body.face_count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
-    parts[s] = traced_faces(body, all, by_face, points, rank, static_cast<std::uint32_t>(begin),
+    parts[s] = traced_faces(body, all, by_face, points, rank, names, static_cast<std::uint32_t>(begin),
                             static_cast<std::uint32_t>(end));
   });
 
   Boundary r = std::move(parts[0]);
   for (std::size_t s = 1; s < parts.size(); ++s) {
     r.planes.insert(r.planes.end(), parts[s].planes.begin(), parts[s].planes.end());
+    append_labels(r, parts[s]);
     r.faces.append(parts[s].faces);
   }
   return r;
@@ -405,37 +468,66 @@ Boundary in_order(const Boundary& traced) {
   r.faces.reserve(order.size(), traced.faces.loop_count(), traced.faces.corners.size());
   for (const std::uint32_t f : order) {
     r.planes.push_back(traced.planes[f]);
+    if (!traced.labels.polygons.empty()) {
+      const auto [begin, end] = traced.faces.corner_range(f);
+      r.labels.polygons.push_back(traced.labels.polygons[f]);
+      r.labels.append_borders(traced.labels, begin, end, static_cast<std::uint32_t>(r.faces.corners.size()));
+    }
     traced.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) { r.faces.add_loop(loop); });
     r.faces.end_face();
   }
   return r;
 }
 
-}  // namespace
+// 7. What faces carry
 
-Canonical canonical(const Body& body) {
-  if (!body.is_packed) return canonical(packed(body));
+/// By the smallest member of a merged face: the first of what its members carry.
+Array<Provenance> merged_names(const Body& body, grid::Partition& merged) {
+  Array<Provenance> names(body.face_count());
+  for (std::uint32_t f = 0; f < names.size(); ++f) {
+    names[f] = body.provenance(f);
+    Provenance& first = names[merged.find(f)];
+    if (body.labels.origins->comes_before(names[f], first)) first = names[f];
+  }
+  return names;
+}
 
+/// All steps. Precondition: the body is packed.
+Boundary boundary_of(const Body& body, bool with_labels) {
   HalfEdges by_lower_vertex = half_edges_of(body);
   const std::span<HalfEdge> edges = by_lower_vertex.items();
-  grid::Partition merged = merged_faces(body, edges);
-  const Array<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
+  grid::Partition merged = merged_faces(body, edges, with_labels);
+  const Array<std::uint8_t> needed = needed_vertices(body, edges);
   const Array<PointInFace> points = touching_points(body, edges, merged, needed);
 
   const Array<std::uint32_t> order = ordered_vertices(body, needed);
   Array<std::uint32_t> rank(body.vertex_count(), none);
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
 
+  Array<Provenance> names;
+  if (with_labels) names = merged_names(body, merged);
   const HalfEdges by_face = face_edges(edges, merged, body.face_count());
-  Boundary form = in_order(traced_faces(body, edges, by_face, points, rank));
+  Boundary form = in_order(traced_faces(body, edges, by_face, points, rank, names));
   form.full_at_infinity = body.full_at_infinity;
+  if (with_labels) form.labels.origins = body.labels.origins;
   form.vertices.resize(order.size());
   grid::in_stretches(order.size(), grid::stretch(std::size_t{1} << 12),
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                        for (std::size_t i = begin; i < end; ++i)
                          form.vertices[i] = exact::reduced(body.point(order[i]));
                      });
-  return Canonical(std::move(form));
+  return form;
+}
+
+}  // namespace
+
+Canonical canonical(const Body& body) {
+  return Canonical(body.is_packed ? boundary_of(body, false) : boundary_of(packed(body), false));
+}
+
+Boundary labelled_boundary(const Body& body) {
+  if (!body.is_packed) return labelled_boundary(packed(body));
+  return boundary_of(body, static_cast<bool>(body.labels));
 }
 
 CanonicalCounts canonical_counts(const Body& body) {
@@ -443,8 +535,8 @@ CanonicalCounts canonical_counts(const Body& body) {
 
   HalfEdges by_lower_vertex = half_edges_of(body);
   const std::span<HalfEdge> edges = by_lower_vertex.items();
-  grid::Partition merged = merged_faces(body, edges);
-  const Array<std::uint8_t> needed = needed_vertices(edges, body.vertex_count());
+  grid::Partition merged = merged_faces(body, edges, false);
+  const Array<std::uint8_t> needed = needed_vertices(body, edges);
 
   CanonicalCounts r{static_cast<std::size_t>(std::count(needed.begin(), needed.end(), 1)), 0, 0};
   Array<std::uint8_t> has_edge(body.vertex_count()), has_boundary(body.face_count());

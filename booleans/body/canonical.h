@@ -25,6 +25,11 @@ class Canonical : public Boundary {
 /// Precondition: a clean body (B1 - B4).
 Canonical canonical(const Body& body);
 
+/// The same, but that faces on one plane are one face only where they carry the same: with vertices where borders
+/// between such end or bend, and with labels. What a face carries is the first of what its parts do
+/// (Origins::comes_before). Without labels the canonical form.
+Boundary labelled_boundary(const Body& body);
+
 /// How much the canonical form has, without making it.
 struct CanonicalCounts {
   std::size_t vertices, edges, faces;

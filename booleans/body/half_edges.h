@@ -18,6 +18,7 @@ struct HalfEdge {
   std::uint32_t from, to, face;
   std::uint32_t run;  // the first of its undirected edge in the list of all
   bool kept;          // it bounds its merged face
+  bool flat = false;  // it does so alone with another face on its plane, which carries something else
 };
 using HalfEdges = grid::Buckets<HalfEdge>;
 

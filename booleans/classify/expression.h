@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "grid/lists/buckets.h"
@@ -50,6 +51,7 @@ class Evaluator {
   /// Adds to the winding number of an operand.
   void add(std::uint32_t operand, int by);
   bool value() const { return value_of(paths_[0]); }
+  std::span<const int> winding() const { return winding_; }
   /// How often the expression names an operand.
   std::size_t leaf_count(std::uint32_t operand) const { return leaves_[operand].size(); }
 

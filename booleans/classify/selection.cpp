@@ -1,7 +1,9 @@
 #include "booleans/classify/selection.h"
 
 #include <bit>
+#include <optional>
 
+#include "booleans/classify/naming.h"
 #include "grid/lists/buckets.h"
 #include "grid/lists/partition.h"
 
@@ -27,6 +29,7 @@ class Label {
   }
   bool value() const { return evaluator_.value(); }
   std::uint64_t sum() const { return sum_; }
+  std::span<const int> winding() const { return evaluator_.winding(); }
 
   /// Goes through a node from one of its sides to the other.
   void cross(const Arrangement& a, SideId from) {
@@ -90,8 +93,8 @@ ById<NodeId, std::uint8_t> tree_of_few_leaves(const Arrangement& a, const Cells&
 }
 
 /// Walks from infinity through nodes, changing one label as it goes; labels are never stored. Nodes that change many
-/// leaves are walked through where there is no other way only.
-CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expression& expression) {
+/// leaves are walked through where there is no other way only. Facets are named on the way, if there is a `naming`.
+CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expression& expression, Naming* naming) {
   const auto sides = grid::in_buckets(cells.of.size(), cells.count, [&](SideId s) { return cells.of[s].value; });
   CellValues values(cells.count);
   Label label(a, expression);
@@ -120,6 +123,7 @@ CellValues evaluate_cells(const Arrangement& a, const Cells& cells, const Expres
       continue;
     }
     const SideId s = around[top.next++];
+    if (naming && !is_back(s) && a.sheets.is_facet(node_of(s))) naming->name(node_of(s), label.winding());
     const CellId beyond = cells.of[opposite(s)];
     if (values.is_seen[beyond] || (!is_way.empty() && !is_way[node_of(s)])) continue;
     label.cross(a, s);
@@ -153,11 +157,30 @@ NodeId spared_contradiction(const Arrangement& a, const Cells& cells, const Cell
   return none;
 }
 
+/// Do a kept facet and a kept untouched face at its edge have one oriented plane?
+bool is_flat(const Arrangement& a, const Selection& selection, const Use& facet, const Use& untouched) {
+  const OwnFace own = a.operands.own(untouched.face());
+  const exact::Plane plane = a.operands[own.operand].plane(own.face);
+  const exact::Plane& sheet = a.names.planes[facet.plane()];
+  return selection.kept[untouched.node()] == selection.kept[facet.node()] ? plane == sheet : plane == sheet.opposite();
+}
+
+/// Marks the edge of these uses where it is a border.
+void mark_border(const Arrangement& a, std::span<const Use> uses, Selection& selection) {
+  const Use *facet = nullptr, *untouched = nullptr;
+  for (const Use& u : uses)
+    if (selection.kept[u.node()] != 0) (u.is_facet() ? facet : untouched) = &u;
+  if (facet && untouched && is_flat(a, selection, *facet, *untouched)) selection.is_border[facet->element()] = 1;
+}
+
 }  // namespace
 
 Selection select(const Arrangement& a, const Cells& cells, const Expression& expression) {
   Selection selection;
-  const CellValues values = evaluate_cells(a, cells, expression);
+  std::optional<Naming> naming;
+  if (a.operands.origins) naming.emplace(a, expression);
+  const CellValues values = evaluate_cells(a, cells, expression, naming ? &*naming : nullptr);
+  if (naming) selection.named_by = naming->take();
   if (cells.is_consistent) selection.contradiction = contradiction(a, cells, values);
   if (selection.contradiction == none) selection.contradiction = spared_contradiction(a, cells, values);
   selection.is_consistent = cells.is_consistent && selection.contradiction == none;
@@ -170,11 +193,13 @@ Selection select(const Arrangement& a, const Cells& cells, const Expression& exp
   }
 
   selection.kept_at.assign(a.sheets.element_count(), 0);
+  if (naming) selection.is_border.assign(a.sheets.element_count(), 0);
   a.uses.for_edges([&](VertexId, std::span<const Use> uses) {
     std::size_t count = 0;
     for (const Use& u : uses) count += selection.kept[u.node()] != 0;
     for (const Use& u : uses)
       if (u.is_facet()) selection.kept_at[u.element()] = static_cast<std::uint8_t>(std::min<std::size_t>(count, 255));
+    if (naming && count == 2) mark_border(a, uses, selection);
   });
   return selection;
 }

@@ -46,7 +46,13 @@ struct Operands {
   /// Were they proved to be?
   bool are_proved = true;
 
-  explicit Operands(std::vector<const Body*> list, bool clean = true);
+  /// The origins of all faces, null where none has labels; and of each operand the numbers of its own origins there, of
+  /// one without labels that of null.
+  std::shared_ptr<const Origins> origins;
+  ById<OperandId, Array<std::uint32_t>> origins_of;
+
+  /// `joint`: origins of these bodies and perhaps others; null: those of these (`joint_origins`).
+  explicit Operands(std::vector<const Body*> list, bool clean = true, std::shared_ptr<const Origins> joint = nullptr);
 
   Ids<OperandId> ids() const { return bodies.size(); }
   const Body& operator[](OperandId o) const { return *bodies[o]; }
@@ -61,6 +67,13 @@ struct Operands {
     return {static_cast<std::uint32_t>(at - base.begin()), face.value - at->value};
   }
 
+  /// What a face of an operand carries, among all origins. Precondition: some operand has labels.
+  Provenance provenance(OperandId o, std::uint32_t own) const {
+    const Body& body = *bodies[o];
+    if (!body.labels) return {origins_of[o][0], 0};
+    const Provenance& p = body.provenance(own);
+    return p.in(origins_of[o][p.origin()]);
+  }
   /// False when the box, of faces of that operand, meets no other operand's bounds; of many operands not all are asked.
   bool may_be_near(OperandId operand, const Box& box) const {
     bool near = bodies.size() > grid::thresholds().few_operands;
@@ -73,5 +86,9 @@ struct Operands {
   /// The chunks of one operand, in its own face numbers, that meet one of the boxes.
   Array<Chunk> chunks_meeting(OperandId operand, std::span<const Box> boxes) const;
 };
+
+/// The origins of all bodies, ordered as these name them first; null where no body has labels. Those of the body with
+/// most faces keep their numbers.
+std::shared_ptr<const Origins> joint_origins(std::span<const Body* const> bodies);
 
 }  // namespace quoin::booleans

@@ -14,15 +14,15 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Grid steps.
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
-double squared_distance(const Place& p, const Place& q) {
+double squared_distance(const Position& p, const Position& q) {
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
   return x * x + y * y + z * z;
 }
 
-Array<Place> places_of(const Body& body, const Triangulated& mesh) {
-  Array<Place> places(mesh.vertex_count());
+Array<Position> places_of(const Body& body, const Triangulated& mesh) {
+  Array<Position> places(mesh.vertex_count());
   grid::in_stretches(places.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       if (v < mesh.source.size()) {
@@ -37,7 +37,7 @@ Array<Place> places_of(const Body& body, const Triangulated& mesh) {
 }
 
 /// Squared.
-double shortest_edge(const Triangulated& mesh, const Array<Place>& places) {
+double shortest_edge(const Triangulated& mesh, const Array<Position>& places) {
   constexpr std::size_t length = 4096;
   Array<double> least(mesh.triangle_count() / length + 1, infinity);
   grid::in_stretches(mesh.triangle_count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
@@ -59,10 +59,10 @@ class HashedCells {
     while (cells < 16 * points) cells *= 2;
     count_.resize(cells);
   }
-  void add(const Place& p) {
+  void add(const Position& p) {
     for_cells(p, [&](std::uint8_t& count) { count = static_cast<std::uint8_t>(std::min(count + 1, 2)); });
   }
-  bool is_alone(const Place& p) {
+  bool is_alone(const Position& p) {
     bool alone = true;
     for_cells(p, [&](const std::uint8_t& count) { alone = alone && count < 2; });
     return alone;
@@ -70,7 +70,7 @@ class HashedCells {
 
  private:
   template <class Visit>
-  void for_cells(const Place& p, Visit&& visit) {
+  void for_cells(const Position& p, Visit&& visit) {
     std::array<std::int64_t, 3> low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = static_cast<std::int64_t>(std::floor((p[k] - reach_) / size_));
@@ -92,9 +92,9 @@ class HashedCells {
 };
 
 /// The points that may have another one within `reach`, as items of a tree.
-Array<BoxTree::Item> crowded(const Array<Place>& places, double reach) {
+Array<BoxTree::Item> crowded(const Array<Position>& places, double reach) {
   HashedCells cells(places.size(), reach);
-  for (const Place& p : places) cells.add(p);
+  for (const Position& p : places) cells.add(p);
   Array<BoxTree::Item> items;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
     if (cells.is_alone(places[i])) continue;
@@ -105,7 +105,7 @@ Array<BoxTree::Item> crowded(const Array<Place>& places, double reach) {
 }
 
 /// The least squared distance of two different places that is below `reach` squared, else infinity. Grid steps.
-double least_gap(const Array<Place>& places, double reach) {
+double least_gap(const Array<Position>& places, double reach) {
   if (!(reach < exact::world / 2)) return 0;
   // Cells are not finer than the rounding of places.
   const Array<BoxTree::Item> items = crowded(places, std::max(reach, 0x1p-16));
@@ -137,7 +137,7 @@ double least_gap(const Array<Place>& places, double reach) {
 
 double least_detail(const Body& body, const Triangulated& mesh, const grid::Lattice& lattice, double reach) {
   const double step = exact::to_double(lattice.step), reach_in_steps = reach / step;
-  const Array<Place> places = places_of(body, mesh);
+  const Array<Position> places = places_of(body, mesh);
 
   double least = shortest_edge(mesh, places);
   if (std::sqrt(least) > reach_in_steps) least = std::min(least, least_gap(places, reach_in_steps));

@@ -52,6 +52,13 @@ struct Loops {
     const std::uint32_t begin = loop_start[face_start[face]], end = loop_start[face_start[face + 1]];
     return std::span<const Corner>(corners).subspan(begin, end - begin);
   }
+  /// Of a face or loop, in the list of corners.
+  struct Range {
+    std::uint32_t begin, end;
+  };
+  Range corner_range(std::size_t face) const {
+    return {loop_start[face_start[face]], loop_start[face_start[face + 1]]};
+  }
   std::uint32_t corner_count(std::size_t face) const {
     return loop_start[face_start[face + 1]] - loop_start[face_start[face]];
   }

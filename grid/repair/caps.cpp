@@ -204,7 +204,7 @@ std::array<Damage, 2> close_holes(Surface& surface, const Caps& caps, bool look)
     if (is_asked || look)
       damage[hole.is_planar ? 0 : 1].add(length_of(hole.squared_size()), surface.points[hole.corners[0]]);
   }
-  surface.triangles.insert(surface.triangles.end(), lids.begin(), lids.end());
+  surface.add(lids);
   return damage;
 }
 

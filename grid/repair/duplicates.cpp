@@ -143,7 +143,7 @@ void drop(Surface& surface, const Array<std::uint32_t>& dropped, Damage& damage)
     damage.add(0, surface.points[surface.triangles[t][0]]);
     surface.triangles[t] = {0, 0, 0};
   }
-  std::erase_if(surface.triangles, [](const Triangle& t) { return t[0] == t[1]; });
+  drop_triangles(surface.triangles, surface.sources, [](const Triangle& t) { return t[0] == t[1]; });
 }
 
 /// Parts of a surface that hang together over edges of two triangles.

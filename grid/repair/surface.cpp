@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "grid/lists/stretches.h"
-#include "grid/seal.h"
 
 namespace quoin::grid {
 
@@ -38,7 +37,17 @@ void Surface::sort() {
     t = {id[t[0]], id[t[1]], id[t[2]]};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
-  std::sort(triangles.begin(), triangles.end());
+  if (sources.empty()) return std::sort(triangles.begin(), triangles.end());
+
+  Array<std::pair<Triangle, std::uint32_t>> both;
+  for (std::size_t t = 0; t < triangles.size(); ++t) both.emplace_back(triangles[t], sources[t]);
+  std::sort(both.begin(), both.end());
+  for (std::size_t t = 0; t < triangles.size(); ++t) std::tie(triangles[t], sources[t]) = both[t];
+}
+
+void Surface::add(const Array<Triangle>& more) {
+  triangles.insert(triangles.end(), more.begin(), more.end());
+  if (!sources.empty()) sources.resize(triangles.size(), no_source);
 }
 
 std::int64_t Surface::area(const Triangle& t) const {
@@ -47,12 +56,12 @@ std::int64_t Surface::area(const Triangle& t) const {
 }
 
 void Surface::drop_flat() {
-  std::erase_if(triangles, [&](const Triangle& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
+  drop_triangles(triangles, sources, [&](const Triangle& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
 }
 
 std::uint64_t Surface::seal() {
-  const std::uint64_t directed = seal_t_junctions(points, triangles, Pairing::opposite);
-  return directed + seal_t_junctions(points, triangles, Pairing::any);
+  const std::uint64_t directed = seal_t_junctions(points, triangles, sources, Pairing::opposite);
+  return directed + seal_t_junctions(points, triangles, sources, Pairing::any);
 }
 
 Array<EdgeUse> edge_uses(std::span<const Surface::Triangle> triangles) {

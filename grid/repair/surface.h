@@ -9,6 +9,7 @@
 #include "exact/geometry.h"
 #include "exact/rational.h"
 #include "grid/lists/array.h"
+#include "grid/seal.h"
 #include "quoin/repair.h"
 
 namespace quoin::grid {
@@ -19,11 +20,14 @@ struct Surface {
   using Triangle = std::array<std::uint32_t, 3>;
   Array<exact::GridPoint> points;
   Array<Triangle> triangles;
+  Sources sources = {};
 
   /// Brings into canonical order, without the points that no triangle has.
   void sort();
   /// Twice the area of a triangle, |x| + |y| + |z| of its vector, which is exact; below 2^63.
   std::int64_t area(const Triangle& t) const;
+  /// Adds triangles that are no part of the input.
+  void add(const Array<Triangle>& more);
   /// Drops triangles without area.
   void drop_flat();
   /// Seals exact T-junctions, whichever way the triangles look. Returns the points put on edges.

@@ -116,8 +116,7 @@ class Joiner {
         ++c;
       }
       cutter.cut(loop, pieces);
-      surface_.triangles[t] = pieces[0];
-      surface_.triangles.insert(surface_.triangles.end(), pieces.begin() + 1, pieces.end());
+      replace_triangle(surface_.triangles, surface_.sources, t, pieces);
     }
   }
 

@@ -5,6 +5,7 @@
 #include "quoin/export.h"
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -42,6 +43,9 @@ class Indices {
   Indices(const Array& values) : values_(std::span<const std::int32_t>(values)) {}  // NOLINT: implicit by design
 
   const Values& values() const { return values_; }
+  std::size_t size() const {
+    return std::visit([](const auto& list) { return list.size(); }, values_);
+  }
 
  private:
   Values values_;

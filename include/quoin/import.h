@@ -35,6 +35,12 @@ struct ImportOptions {
   /// Cures of an open surface and of shells that are inside out; none by default.
   Repair repair = {};
   Limits limits = {};
+  /// What the faces carry (quoin/labels.h): a label for each triangle or polygon, all 0 where there are none, and the
+  /// name of the solid. Neighbours on one plane are one face only where their labels are equal. Faces that close holes
+  /// carry nothing. Without labels, with id 0 and no name, nothing is carried, and nothing is paid.
+  Indices labels = {};
+  std::uint32_t id = 0;
+  std::string name = {};
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.

@@ -22,6 +22,7 @@
 #include "quoin/grid.h"
 #include "quoin/history.h"
 #include "quoin/import.h"
+#include "quoin/labels.h"
 #include "quoin/limits.h"
 #include "quoin/model.h"
 #include "quoin/motion.h"

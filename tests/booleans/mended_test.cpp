@@ -67,7 +67,7 @@ TEST(Mended, IsCoarserNearTroubleOnly) {
   troubled[4 * troubled_one] = 1;
   for (const int exponent : {-12, 0, 5, 6, 8, 10}) {
     SCOPED_TRACE(exponent);
-    const auto result = mended(row.points, row.triangles, Floats::float32, {troubled, exponent + 12});
+    const auto result = mended(row.points, row.triangles, {}, Floats::float32, {troubled, exponent + 12});
     ASSERT_TRUE(result) << result.error().message;
 
     const double cell = std::ldexp(1, exponent), trouble = std::floor(64 * troubled_one / cell);
@@ -92,7 +92,7 @@ TEST(Mended, EndsWithNothing) {
     for (const double far : {0.0, 1e9}) {
       std::vector<double> points = row.points;
       for (double& x : points) x += far;
-      const auto result = mended(points, row.triangles, floats, {troubled, 30});
+      const auto result = mended(points, row.triangles, {}, floats, {troubled, 30});
       ASSERT_TRUE(result) << result.error().message;
       EXPECT_EQ(result.value().body.face_count(), 0u);
     }
