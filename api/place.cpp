@@ -93,7 +93,7 @@ void report_displacement(MotionReport& report, Rational displacement) {
 }
 
 std::shared_ptr<const rounding::Shape> shape_of(const Solid& solid) {
-  return std::make_shared<rounding::Shape>(rounding::polyhedron_of(booleans::canonical(Access::body(solid))),
+  return std::make_shared<rounding::Shape>(rounding::polyhedron_of(booleans::labelled_boundary(Access::body(solid))),
                                            Access::lattice(solid));
 }
 

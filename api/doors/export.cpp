@@ -30,7 +30,7 @@ struct Draft {
   std::size_t vertices = 0;  // before touching parts were separated
   std::vector<double> points;
   booleans::Moves moves;
-  booleans::TriangleLabels labels;  // of the triangles, if the body has some
+  booleans::TriangleLabels labels;  // of the triangles, if they are asked for
 };
 
 Floats floats_of(const ExportOptions& options) { return options.float32 ? Floats::float32 : Floats::float64; }
@@ -41,9 +41,6 @@ Draft rounded(const Body& body, const grid::Lattice& lattice, Floats floats, Tri
   draft.mesh = std::move(mesh);
   draft.points = booleans::rounded_points(body, draft.mesh, lattice, floats);
   draft.moves = booleans::moves(body, draft.mesh, lattice, floats, draft.points);
-  draft.labels.origins = body.labels.origins;
-  if (body.labels)
-    for (const std::uint32_t f : draft.mesh.face) draft.labels.of_triangle.push_back(body.provenance(f));
   return draft;
 }
 
@@ -55,6 +52,15 @@ Draft drafted(const Body& body, const grid::Lattice& lattice, Floats floats, Top
   Draft draft = rounded(body, lattice, floats, booleans::separated(body, std::move(mesh), shared));
   draft.vertices = vertices;
   return draft;
+}
+
+/// What the triangles of a draft carry.
+booleans::TriangleLabels labels_of(const Body& body, const Draft& draft) {
+  booleans::TriangleLabels labels{body.labels.origins};
+  if (!body.labels) return labels;
+  labels.of_triangle.reserve(draft.mesh.triangle_count());
+  for (const std::uint32_t f : draft.mesh.face) labels.of_triangle.push_back(body.provenance(f));
+  return labels;
 }
 
 bool is_valid(const Body& body, const grid::Lattice& lattice, Floats floats, const Draft& draft) {
@@ -84,19 +90,24 @@ std::optional<Draft> valid_draft(const Body& body, const grid::Lattice& lattice,
 /// Not valid only where a solid was trusted that is none, or cannot be resolved.
 /// Errors: "cancelled".
 Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, Draft draft,
-                       const Cancel* cancel) {
+                       bool with_labels, const Cancel* cancel) {
   constexpr int finest_rounds = 2, faster = 2;
   const Floats floats = floats_of(options);
   Mending all;
   all.most = draft.moves.most;
+  const auto finished = [&](Draft&& valid, const Body& of) {
+    all.draft = std::move(valid);
+    all.is_valid = true;
+    if (with_labels) all.draft.labels = labels_of(of, all.draft);
+  };
   if (draft.mesh.split_edges > 0) {
     if (auto valid = valid_draft(body, lattice, floats, options.topology)) {
-      all.draft = std::move(*valid);
-      all.is_valid = true;
+      finished(std::move(*valid), body);
       return all;
     }
     draft = drafted(body, lattice, floats, Topology::indexed);
   }
+  if (with_labels) draft.labels = labels_of(body, draft);
 
   for (int round = 1;; ++round) {
     auto next =
@@ -113,14 +124,15 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
     const auto& [mended, numbers] = std::tie(next.value().body, next.value().lattice);
     if (auto valid = valid_draft(mended, numbers, floats, options.topology)) {
       all.most += valid->moves.most;
-      all.draft = std::move(*valid);
-      all.is_valid = true;
+      finished(std::move(*valid), mended);
       return all;
     }
     draft = drafted(mended, numbers, floats, Topology::indexed);
+    if (with_labels) draft.labels = labels_of(mended, draft);
     all.most += draft.moves.most;
   }
   all.draft = drafted(body, lattice, floats, options.topology);
+  if (with_labels) all.draft.labels = labels_of(body, all.draft);
   return all;
 }
 
@@ -178,8 +190,8 @@ std::array<double, 3> rounded_centre(const Body& body, const grid::Lattice& latt
   return centre;
 }
 
-Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const ExportOptions& options, const Options& run,
-                      ExportReport* report, SurfaceCounts* surface) {
+Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const ExportOptions& options,
+                              const Options& run, bool with_labels, ExportReport* report, SurfaceCounts* surface) {
   // False when the run was cancelled.
   const auto begin = [&](const char* stage, double fraction) {
     if (run.stage) run.stage(stage);
@@ -216,11 +228,12 @@ Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const 
 
   if (wants_proof && !result.is_valid) {
     if (!begin("mend", 0.8)) return cancelled;
-    auto mending = mended(body, lattice, options, std::move(draft), run.cancel);
+    auto mending = mended(body, lattice, options, std::move(draft), with_labels, run.cancel);
     if (!mending) return cancelled;
     result = std::move(mending).value();
   } else {
     result.draft = std::move(draft);
+    if (with_labels) result.draft.labels = labels_of(body, result.draft);
   }
 
   if (report) {
@@ -229,33 +242,36 @@ Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const 
     report->least_detail = detail;
   }
   const Draft& made = result.draft;
-  PublicLabels labels = public_labels(made.labels.origins.get(), made.labels.of_triangle, made.mesh.triangle_count());
+  PublicLabels labels;
+  if (with_labels)
+    labels = public_labels(made.labels.origins.get(), made.labels.of_triangle, made.mesh.triangle_count());
   return LabelledMesh{{std::move(result.draft.points), std::move(result.draft.mesh.corners)},
                       std::move(labels.originals),
                       std::move(labels.labels)};
 }
 
-Result<LabelledMesh> exported_solid(const Solid& solid, const ExportOptions& options, ExportReport* report,
-                                    SurfaceCounts* surface) {
+Result<LabelledMesh> exported_solid(const Solid& solid, const ExportOptions& options, bool with_labels,
+                                    ExportReport* report, SurfaceCounts* surface) {
   if (report) *report = {};
   if (surface) *surface = {};
   const Body& body = Access::operand(solid);
   if (body.full_at_infinity)
     return Error{ErrorCode::unbounded, "an unbounded solid has no triangle mesh; its complement may have one"};
   return run_to_end(options.run, [&](const Options& run) {
-    return with_threads(run.threads,
-                        [&] { return exported(body, Access::lattice(solid), options, run, report, surface); });
+    return with_threads(run.threads, [&] {
+      return exported(body, Access::lattice(solid), options, run, with_labels, report, surface);
+    });
   });
 }
 
 }  // namespace
 
 Result<LabelledMesh> to_labelled_triangles(const Solid& solid, const ExportOptions& options, ExportReport* report) {
-  return exported_solid(solid, options, report, nullptr);
+  return exported_solid(solid, options, true, report, nullptr);
 }
 
 Result<Mesh> Solid::to_triangles(const ExportOptions& options, ExportReport* report, SurfaceCounts* surface) const {
-  auto mesh = exported_solid(*this, options, report, surface);
+  auto mesh = exported_solid(*this, options, false, report, surface);
   if (!mesh) return mesh.error();
   return static_cast<Mesh&&>(std::move(mesh).value());
 }

@@ -130,7 +130,7 @@ Result<Polyhedron> boolean_intersection(const std::vector<WidePlane>& planes, bo
       evaluate(Solid::empty(Access::grid(lattice)) + Expression::intersect(std::move(terms)), {.cancel = run.cancel});
   if (!solid) return solid.error();
   if (solid.value().is_empty()) return Polyhedron{};
-  return carried(rounding::polyhedron_of(booleans::canonical(Access::body(solid.value()))), to_model);
+  return carried(rounding::polyhedron_of(booleans::labelled_boundary(Access::body(solid.value()))), to_model);
 }
 
 /// The polyhedron that half-spaces enclose, exactly.

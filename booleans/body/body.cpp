@@ -188,13 +188,7 @@ Body complement(const Body& body) {
 
   for (auto& p : r.labels.triangles.edit()) p = p.turned();
   for (auto& p : r.labels.polygons.edit()) p = p.turned();
-  if (!body.labels.borders.empty()) {
-    r.labels.borders = {};
-    for (std::size_t j = 0; j < body.polygons.loop_count(); ++j) {
-      const std::uint32_t begin = body.polygons.loop_start[j], end = body.polygons.loop_start[j + 1];
-      r.labels.append_reversed_borders(body.labels, begin, end, begin);
-    }
-  }
+  r.labels.reverse_loops(r.polygons.loop_start);
 
   r.full_at_infinity = !r.full_at_infinity;
   return r;

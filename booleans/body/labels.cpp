@@ -75,6 +75,14 @@ void Labels::append_reversed_borders(const Labels& from, std::uint32_t begin, st
   borders.append(reversed.begin(), reversed.end());
 }
 
+void Labels::reverse_loops(std::span<const std::uint32_t> loop_start) {
+  if (borders.empty()) return;
+  Labels before;
+  std::swap(before.borders, borders);
+  for (std::size_t j = 0; j + 1 < loop_start.size(); ++j)
+    append_reversed_borders(before, loop_start[j], loop_start[j + 1], loop_start[j]);
+}
+
 void Labels::settle() {
   triangles.settle();
   polygons.settle();

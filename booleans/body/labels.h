@@ -120,6 +120,8 @@ struct Labels {
   void append_borders(const Labels& from, std::uint32_t begin, std::uint32_t end, std::uint32_t to);
   /// The same, of one loop whose corners have been reversed.
   void append_reversed_borders(const Labels& from, std::uint32_t begin, std::uint32_t end, std::uint32_t to);
+  /// The corners of all loops, which begin at loop_start[0] and so on, have been reversed.
+  void reverse_loops(std::span<const std::uint32_t> loop_start);
   /// Nothing is added for now.
   void settle();
 };

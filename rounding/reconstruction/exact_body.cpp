@@ -29,11 +29,16 @@ std::optional<exact::Point> point_of(const Vector& v) {
 std::optional<booleans::Body> exact_body(std::uint32_t placement, const Placement& p, CarriedPoints& points) {
   const PlaneRounder rounder;
   const IntegerMap back = inverse(IntegerMap(p.to_grid));
+  const auto carried = [&](const WidePlane& before) -> std::optional<exact::Plane> {
+    const WidePlane plane = moved(before, back);
+    return rounder.fits(plane) ? rounder.round(plane, Method::best) : std::nullopt;
+  };
+
   booleans::Boundary boundary;
   for (const WidePlane& before : p.shape->polyhedron.planes) {
-    const WidePlane plane = moved(before, back);
-    if (!rounder.fits(plane)) return std::nullopt;
-    boundary.planes.push_back(*rounder.round(plane, Method::best));
+    const auto plane = carried(before);
+    if (!plane) return std::nullopt;
+    boundary.planes.push_back(*plane);
   }
 
   for (const Vector& v : points.of(placement)) {
@@ -42,7 +47,13 @@ std::optional<booleans::Body> exact_body(std::uint32_t placement, const Placemen
     boundary.vertices.push_back(*q);
   }
 
-  boundary.faces = placed_loops(p);
+  place_faces(p, boundary);
+  for (const Polyhedron::Border& b : p.shape->polyhedron.borders) {
+    const auto plane = carried(b.other);
+    if (!plane) return std::nullopt;
+    boundary.labels.borders.push_back({b.corner, *plane});
+  }
+  if (p.is_turned_round()) boundary.labels.reverse_loops(boundary.faces.loop_start);
   return booleans::body_of(boundary);
 }
 

@@ -40,13 +40,16 @@ const std::vector<Vector>& CarriedPoints::of(std::uint32_t placement) {
   return points;
 }
 
-grid::Loops<std::uint32_t> placed_loops(const Placement& placement) {
-  grid::Loops<std::uint32_t> loops = placement.shape->polyhedron.faces;
-  if (!placement.is_turned_round()) return loops;
+void place_faces(const Placement& placement, booleans::Boundary& boundary) {
+  const Polyhedron& p = placement.shape->polyhedron;
+  boundary.faces = p.faces;
+  boundary.labels.origins = p.origins;
+  boundary.labels.polygons.append(p.provenance.begin(), p.provenance.end());
+  if (!placement.is_turned_round()) return;
 
-  for (std::size_t j = 0; j + 1 < loops.loop_start.size(); ++j)
-    std::reverse(loops.corners.begin() + loops.loop_start[j], loops.corners.begin() + loops.loop_start[j + 1]);
-  return loops;
+  auto& [face_start, loop_start, corners] = boundary.faces;
+  for (std::size_t j = 0; j + 1 < loop_start.size(); ++j)
+    std::reverse(corners.begin() + loop_start[j], corners.begin() + loop_start[j + 1]);
 }
 
 }  // namespace quoin::rounding

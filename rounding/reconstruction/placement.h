@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "booleans/body/body.h"
+#include "booleans/body/boundary.h"
 #include "rounding/shapes/polyhedron.h"
 #include "rounding/shapes/trihedral.h"
 
@@ -64,7 +64,7 @@ class CarriedPoints {
   std::vector<std::vector<Vector>> points_;  // by placement
 };
 
-/// The shape's loops, turned round by a mirror image.
-grid::Loops<std::uint32_t> placed_loops(const Placement& placement);
+/// Gives a boundary the shape's loops, turned round by a mirror image, and what its faces carry.
+void place_faces(const Placement& placement, booleans::Boundary& boundary);
 
 }  // namespace quoin::rounding

@@ -58,7 +58,7 @@ Attempt attempt(std::uint32_t i, const Placement& placement, const PlaneClasses&
   if (!a.violation) a.violation = order_violation(t, a.boundary);
   if (a.violation) return a;
 
-  a.boundary.faces = placed_loops(placement);
+  place_faces(placement, a.boundary);
   a.body = booleans::body_of(a.boundary);
   a.violation = crossing_violation(a.body);
   return a;

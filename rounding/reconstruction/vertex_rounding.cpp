@@ -108,10 +108,11 @@ Result<Reconstructed> round_vertices(std::uint32_t primitive, const Placement& p
   const auto triangles = triangulated(shape.polyhedron);
   if (!triangles) return no_region(primitive);
 
+  grid::Curing asked{{}, shape.polyhedron.origins != nullptr};
   const auto coordinates = snapped_points(placement, result.displacement);
   if (!coordinates) return out_of_range(primitive, points.of(primitive));
-  auto mesh =
-      grid::import_triangles(*coordinates, placed_corners(placement, *triangles), grid::Lattice{}, grid::Facing::any);
+  auto mesh = grid::import_triangles(*coordinates, placed_corners(placement, triangles->corners), grid::Lattice{},
+                                     grid::Facing::any, &asked);
   if (!mesh) {
     Error error = mesh.error();
     error.where = name_of(primitive);
@@ -123,13 +124,16 @@ Result<Reconstructed> round_vertices(std::uint32_t primitive, const Placement& p
   booleans::Body body;
   body.grid_points = std::move(mesh.value().points);
   body.triangles = std::move(mesh.value().triangles);
+  body.labels.origins = shape.polyhedron.origins;
+  for (const std::uint32_t t : mesh.value().sources)
+    body.labels.triangles.push_back(shape.polyhedron.provenance[triangles->face[t]]);
   auto resolved = booleans::resolve(std::move(body), result.resolved_crossings);
   if (!resolved) return resolved.error();
 
   // What rounding has flattened or, as a whole, turned inside out has no inside.
   const bool is_solid = booleans::volume(resolved.value()) > 0;
   if (is_solid) result.body = std::move(resolved).value();
-  result.vanished = !is_solid && !triangles->empty();
+  result.vanished = !is_solid && !triangles->corners.empty();
   return result;
 }
 

@@ -67,7 +67,7 @@ AffineMap to_grid(const grid::Lattice& lattice) {
   return map;
 }
 
-Polyhedron polyhedron_of(const booleans::Canonical& form) {
+Polyhedron polyhedron_of(const booleans::Boundary& form) {
   assert(!form.full_at_infinity);
   Polyhedron p;
   p.points.reserve(form.vertices.size());
@@ -83,10 +83,16 @@ Polyhedron polyhedron_of(const booleans::Canonical& form) {
     }
   }
 
+  const auto wide = [](const exact::Plane& plane) -> WidePlane {
+    return {{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)};
+  };
   p.planes.reserve(form.planes.size());
-  for (const exact::Plane& plane : form.planes)
-    p.planes.push_back({{plane.n[0], plane.n[1], plane.n[2]}, exact::to_integer(plane.d)});
+  for (const exact::Plane& plane : form.planes) p.planes.push_back(wide(plane));
   p.faces = form.faces;
+
+  p.origins = form.labels.origins;
+  p.provenance.assign(form.labels.polygons.begin(), form.labels.polygons.end());
+  for (const booleans::Border& b : form.labels.borders) p.borders.push_back({b.corner, wide(b.other)});
   return p;
 }
 
@@ -95,16 +101,18 @@ Polyhedron carried(Polyhedron p, const AffineMap& map) {
   const IntegerMap back = inverse(IntegerMap(map));
   for (Vector& v : p.points) v = map(v);
   for (WidePlane& plane : p.planes) plane = moved(plane, back);
+  for (Polyhedron::Border& b : p.borders) b.other = moved(b.other, back);
   return p;
 }
 
-std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+std::optional<FaceTriangles> triangulated(const Polyhedron& p) {
+  FaceTriangles triangles;
   std::vector<booleans::FaceTriangle> local;
   for (std::size_t f = 0; f < p.face_count(); ++f) {
     const auto corners = p.faces.corners_of(f);
     if (corners.size() == 3 && p.faces.loop_count(f) == 1) {
-      triangles.push_back({corners[0], corners[1], corners[2]});
+      triangles.corners.push_back({corners[0], corners[1], corners[2]});
+      triangles.face.push_back(static_cast<std::uint32_t>(f));
       continue;
     }
 
@@ -123,7 +131,8 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Poly
     local.clear();
     if (!booleans::triangulate(FacePoints(p, f, ids), static_cast<std::uint32_t>(ids.size()), edges, isolated, local))
       return std::nullopt;
-    for (const auto& t : local) triangles.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+    for (const auto& t : local) triangles.corners.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+    triangles.face.resize(triangles.corners.size(), static_cast<std::uint32_t>(f));
   }
   return triangles;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,16 @@ struct Polyhedron {
   std::vector<WidePlane> planes;     // one a face
   grid::Loops<std::uint32_t> faces;  // of indices of points
 
+  /// What faces carry (booleans/body/labels.h); nothing where `origins` is null.
+  std::shared_ptr<const booleans::Origins> origins = nullptr;
+  std::vector<booleans::Provenance> provenance = {};  // one a face
+  /// Another plane through the edge that begins at a corner, where faces on one plane meet.
+  struct Border {
+    std::uint32_t corner;
+    WidePlane other;
+  };
+  std::vector<Border> borders = {};  // by corner
+
   std::size_t face_count() const { return planes.size(); }
 
   std::uint32_t add_point(Vector p);
@@ -40,13 +51,18 @@ struct Polyhedron {
 
 /// Model units to grid steps.
 AffineMap to_grid(const grid::Lattice& lattice);
-/// A solid's boundary, in grid steps. Precondition: bounded.
-Polyhedron polyhedron_of(const booleans::Canonical& form);
+/// A solid's boundary, as a canonical form or with labels, in grid steps. Precondition: bounded.
+Polyhedron polyhedron_of(const booleans::Boundary& form);
 /// The image under a map. Precondition: its determinant is positive.
 Polyhedron carried(Polyhedron p, const AffineMap& map);
 
-/// Triangles of points, counter-clockwise from outside, that tile the faces. Nothing where a face's loops are seen not
-/// to bound regions (crossings may go unseen, and give unspecified triangles).
-std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulated(const Polyhedron& p);
+/// Triangles of points, counter-clockwise from outside, that tile the faces.
+struct FaceTriangles {
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<std::uint32_t> face;  // of each
+};
+/// Nothing where a face's loops are seen not to bound regions (crossings may go unseen, and give unspecified
+/// triangles).
+std::optional<FaceTriangles> triangulated(const Polyhedron& p);
 
 }  // namespace quoin::rounding

@@ -66,7 +66,7 @@ void expect_tiling(const Polyhedron& p) {
     });
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
   std::vector<bool> used(p.points.size());
-  for (const auto& t : *triangles) {
+  for (const auto& t : triangles->corners) {
     const Vector &a = p.points[t[0]], &b = p.points[t[1]], &c = p.points[t[2]];
     const Vector n = cross(b - a, c - a);
     ASSERT_NE(n, (Vector{0, 0, 0}));
