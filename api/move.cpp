@@ -3,7 +3,7 @@
 
 #include "api/place.h"
 #include "api/run.h"
-#include "booleans/body/body.h"
+#include "booleans/body/channels.h"
 
 namespace quoin {
 namespace {
@@ -11,6 +11,15 @@ namespace {
 /// Of a solid and of its complement, whose surface is the same.
 std::shared_ptr<const rounding::Shape> surface_of(const Solid& solid) {
   return shape_of(solid.is_bounded() ? solid : ~solid);
+}
+
+booleans::PositionMap position_map(const rounding::AffineMap& map) {
+  booleans::PositionMap rows;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) rows[k][j] = map.linear[k][j];
+    rows[k][3] = map.shift[k];
+  }
+  return rows;
 }
 
 Result<Solid> placed(const Solid& solid, const rounding::RealizedMotion& motion, Rounding rounding, const Options& run,
@@ -28,7 +37,9 @@ Result<Solid> placed(const Solid& solid, const rounding::RealizedMotion& motion,
   auto bodies = place({{shape.get(), {}, &motion}}, Access::lattice(solid), rounding, step_of(run, half, 1));
   if (!bodies) return bodies.error();
   report = bodies.value().report;
-  return Access::solid(solid.grid(), std::move(bodies.value().primitives[0].body));
+  booleans::Body& body = bodies.value().primitives[0].body;
+  body.labels.origins = booleans::carried(body.labels.origins, position_map(inverse(motion.map)));
+  return Access::solid(solid.grid(), std::move(body));
 }
 
 Result<Solid> carried(const Solid& solid, const rounding::RealizedMotion& motion, Rounding rounding, const Options& run,

@@ -30,7 +30,9 @@ struct Draft {
   std::size_t vertices = 0;  // before touching parts were separated
   std::vector<double> points;
   booleans::Moves moves;
-  booleans::TriangleLabels labels;  // of the triangles, if they are asked for
+  // If they are asked for:
+  booleans::TriangleLabels labels;  // of the triangles
+  PublicChannels channels;          // of their corners
 };
 
 Floats floats_of(const ExportOptions& options) { return options.float32 ? Floats::float32 : Floats::float64; }
@@ -63,6 +65,14 @@ booleans::TriangleLabels labels_of(const Body& body, const Draft& draft) {
   return labels;
 }
 
+/// What a draft carries for the outside. `centre`: what was subtracted from points in model units.
+void label(const Body& body, const grid::Lattice& lattice, const std::array<double, 3>& centre, Draft& draft) {
+  grid::Lattice own = lattice;
+  for (std::size_t k = 0; k < 3; ++k) own.origin[k] += exact::to_rational(centre[k]);
+  draft.labels = labels_of(body, draft);
+  draft.channels = public_channels(body, draft.mesh, draft.labels, booleans::to_model(own));
+}
+
 bool is_valid(const Body& body, const grid::Lattice& lattice, Floats floats, const Draft& draft) {
   return booleans::is_valid(body, draft.mesh, floats, lattice, draft.points, draft.moves);
 }
@@ -90,19 +100,19 @@ std::optional<Draft> valid_draft(const Body& body, const grid::Lattice& lattice,
 /// Not valid only where a solid was trusted that is none, or cannot be resolved.
 /// Errors: "cancelled".
 Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const ExportOptions& options, Draft draft,
-                       bool with_labels, const Cancel* cancel) {
+                       bool with_labels, const std::array<double, 3>& centre, const Cancel* cancel) {
   constexpr int finest_rounds = 2, faster = 2;
   const Floats floats = floats_of(options);
   Mending all;
   all.most = draft.moves.most;
-  const auto finished = [&](Draft&& valid, const Body& of) {
+  const auto finished = [&](Draft&& valid, const Body& of, const grid::Lattice& on) {
     all.draft = std::move(valid);
     all.is_valid = true;
-    if (with_labels) all.draft.labels = labels_of(of, all.draft);
+    if (with_labels) label(of, on, centre, all.draft);
   };
   if (draft.mesh.split_edges > 0) {
     if (auto valid = valid_draft(body, lattice, floats, options.topology)) {
-      finished(std::move(*valid), body);
+      finished(std::move(*valid), body, lattice);
       return all;
     }
     draft = drafted(body, lattice, floats, Topology::indexed);
@@ -124,7 +134,7 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
     const auto& [mended, numbers] = std::tie(next.value().body, next.value().lattice);
     if (auto valid = valid_draft(mended, numbers, floats, options.topology)) {
       all.most += valid->moves.most;
-      finished(std::move(*valid), mended);
+      finished(std::move(*valid), mended, numbers);
       return all;
     }
     draft = drafted(mended, numbers, floats, Topology::indexed);
@@ -132,7 +142,7 @@ Result<Mending> mended(const Body& body, const grid::Lattice& lattice, const Exp
     all.most += draft.moves.most;
   }
   all.draft = drafted(body, lattice, floats, options.topology);
-  if (with_labels) all.draft.labels = labels_of(body, all.draft);
+  if (with_labels) label(body, lattice, centre, all.draft);
   return all;
 }
 
@@ -228,12 +238,12 @@ Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const 
 
   if (wants_proof && !result.is_valid) {
     if (!begin("mend", 0.8)) return cancelled;
-    auto mending = mended(body, lattice, options, std::move(draft), with_labels, run.cancel);
+    auto mending = mended(body, lattice, options, std::move(draft), with_labels, centre, run.cancel);
     if (!mending) return cancelled;
     result = std::move(mending).value();
   } else {
     result.draft = std::move(draft);
-    if (with_labels) result.draft.labels = labels_of(body, result.draft);
+    if (with_labels) label(body, lattice, centre, result.draft);
   }
 
   if (report) {
@@ -247,7 +257,9 @@ Result<LabelledMesh> exported(const Body& body, const grid::Lattice& own, const 
     labels = public_labels(made.labels.origins.get(), made.labels.of_triangle, made.mesh.triangle_count());
   return LabelledMesh{{std::move(result.draft.points), std::move(result.draft.mesh.corners)},
                       std::move(labels.originals),
-                      std::move(labels.labels)};
+                      std::move(labels.labels),
+                      made.channels.count,
+                      std::move(result.draft.channels.values)};
 }
 
 Result<LabelledMesh> exported_solid(const Solid& solid, const ExportOptions& options, bool with_labels,

@@ -61,23 +61,82 @@ Result<booleans::Body> resolved(const booleans::Body& mesh, const Grid& grid, co
 }
 
 bool wants_labels(const ImportOptions& options) {
-  return options.labels.size() > 0 || options.id != 0 || !options.name.empty();
+  return options.labels.size() > 0 || options.channels.size() > 0 || options.id != 0 || !options.name.empty();
 }
 
-/// "bad-index" for a wrong number of labels.
-Result<void> check_labels(std::size_t faces, const ImportOptions& options) {
-  const std::size_t labels = options.labels.size();
-  if (labels == 0 || labels == faces) return {};
-  return Error{ErrorCode::bad_index,
-               "there are " + std::to_string(labels) + " labels for " + std::to_string(faces) + " faces",
-               {},
-               "face " + std::to_string(std::min(labels, faces))};
+/// A mesh as it was given; triangles have no `starts`.
+struct Given {
+  std::span<const double> points;
+  std::span<const std::uint32_t> starts, corners;
+  bool triangles;
+
+  std::size_t faces() const { return triangles ? corners.size() / 3 : starts.empty() ? 0 : starts.size() - 1; }
+};
+
+/// The coordinates as doubles, which hold every float; `storage` keeps what had to be converted.
+std::span<const double> doubles(const Coordinates& coordinates, std::vector<double>& storage) {
+  if (const auto* exact = std::get_if<std::span<const double>>(&coordinates.values())) return *exact;
+  const auto floats = std::get<std::span<const float>>(coordinates.values());
+  storage.assign(floats.begin(), floats.end());
+  return storage;
 }
 
-/// What the triangles of a mesh carry.
-booleans::Labels labels_of(const grid::Sources& sources, std::size_t faces, const ImportOptions& options) {
+/// "bad-index" for a wrong number of labels or channels, "non-finite".
+Result<void> check_labels(const Given& mesh, const ImportOptions& options) {
+  const std::size_t labels = options.labels.size(), channels = options.channels.size(), faces = mesh.faces();
+  if (labels != 0 && labels != faces)
+    return Error{ErrorCode::bad_index,
+                 "there are " + std::to_string(labels) + " labels for " + std::to_string(faces) + " faces",
+                 {},
+                 "face " + std::to_string(std::min(labels, faces))};
+  if (channels != 0 && (mesh.corners.empty() || channels % mesh.corners.size() != 0))
+    return Error{ErrorCode::bad_index, "there are " + std::to_string(channels) + " channel values for " +
+                                           std::to_string(mesh.corners.size()) + " corners"};
+
+  const auto far = std::visit(
+      [](const auto& list) {
+        return std::find_if(list.begin(), list.end(), [](auto x) { return !std::isfinite(x); }) - list.begin();
+      },
+      options.channels.values());
+  if (static_cast<std::size_t>(far) == channels) return {};
+  const std::string corner =
+      "corner " + std::to_string(static_cast<std::size_t>(far) / (channels / mesh.corners.size()));
+  return Error{ErrorCode::non_finite, "a channel of " + corner + " is not finite", {}, corner};
+}
+
+/// Gives an origin the channels of a mesh.
+/// Errors: "bad-number" (a polygon whose channels are no affine function), those of `grid::snap`.
+Result<void> add_channels(const Given& given, const grid::ImportedMesh& mesh, const grid::Lattice& lattice,
+                          const ImportOptions& options, booleans::Origin& origin) {
+  std::vector<double> storage;
+  const auto snapped = grid::snap(given.points, lattice);
+  if (!snapped) return snapped.error();
+  const booleans::ChannelInput input{static_cast<std::uint32_t>(options.channels.size() / given.corners.size()),
+                                     doubles(options.channels, storage),
+                                     snapped.value().points,
+                                     given.triangles ? std::span<const std::uint32_t>() : given.starts,
+                                     given.corners,
+                                     lattice,
+                                     options.channel_tolerance};
+  const auto bent = booleans::add_channels(input, mesh.points, mesh.triangles, mesh.sources, origin);
+  if (!bent) return {};
+  return Error{
+      ErrorCode::bad_number,
+      "the channels of face " + std::to_string(*bent) + " are no affine function of the position: give it as triangles",
+      {},
+      "face " + std::to_string(*bent)};
+}
+
+/// What the triangles of a mesh carry. Errors: those of `add_channels`.
+Result<booleans::Labels> labels_of(const Given& given, const grid::ImportedMesh& mesh, const grid::Lattice& lattice,
+                                   const ImportOptions& options) {
+  booleans::Origin origin = origin_of({options.id, options.name}, given.faces(), options.labels);
+  if (options.channels.size() > 0)
+    if (const auto added = add_channels(given, mesh, lattice, options, origin); !added) return added.error();
+
   booleans::Origins origins;
-  origins.add(origin_of({options.id, options.name}, faces, options.labels));
+  origins.add(std::make_shared<const booleans::Origin>(std::move(origin)));
+  const grid::Sources& sources = mesh.sources;
   if (std::find(sources.begin(), sources.end(), grid::no_source) != sources.end()) origins.add(nullptr);
 
   booleans::Labels labels;
@@ -90,12 +149,11 @@ booleans::Labels labels_of(const grid::Sources& sources, std::size_t faces, cons
 }
 
 template <class Import>
-Result<Solid> imported(std::span<const double> points, std::size_t faces, const ImportOptions& options,
-                       const Options& run,
-                       ImportReport* report, Import&& import) {
+Result<Solid> imported(const Given& given, const ImportOptions& options, const Options& run, ImportReport* report,
+                       Import&& import) {
   if (report) *report = {};
   if (cancelled(run)) return Error{ErrorCode::cancelled, "the import was cancelled"};
-  const auto grid = chosen_grid(points, options);
+  const auto grid = chosen_grid(given.points, options);
   if (!grid) return grid.error();
 
   if (run.stage) run.stage("snap, weld, validate");
@@ -112,10 +170,14 @@ Result<Solid> imported(std::span<const double> points, std::size_t faces, const 
   if (!mesh) return mesh.error();
 
   booleans::Body body;
+  if (curing.wants_sources) {
+    auto labels = labels_of(given, mesh.value(), Access::lattice(grid.value()), options);
+    if (!labels) return labels.error();
+    body.labels = std::move(labels).value();
+  }
   body.grid_points = std::move(mesh.value().points);
   body.triangles = std::move(mesh.value().triangles);
   body.is_proved = options.trust == Trust::nothing;
-  if (curing.wants_sources) body.labels = labels_of(mesh.value().sources, faces, options);
   const bool is_empty = body.triangles.empty();
   if (!is_empty && options.trust == Trust::nothing) {
     auto proved = resolved(body, grid.value(), step_of(run, 0.1, 0.95), report);
@@ -138,12 +200,12 @@ Result<void> check_limits(std::size_t vertices, std::size_t faces, const Limits&
 
 /// What all doors for meshes share; `import` makes an ImportedMesh on a lattice.
 template <class Import>
-Result<Solid> import_to_end(std::span<const double> points, std::size_t faces, const ImportOptions& options,
-                            ImportReport* report, Import&& import) {
-  if (const auto checked = check_limits(points.size() / 3, faces, options.limits); !checked) return checked.error();
-  if (const auto checked = check_labels(faces, options); !checked) return checked.error();
+Result<Solid> import_to_end(const Given& given, const ImportOptions& options, ImportReport* report, Import&& import) {
+  const auto limits = check_limits(given.points.size() / 3, given.faces(), options.limits);
+  if (!limits) return limits.error();
+  if (const auto checked = check_labels(given, options); !checked) return checked.error();
   return run_to_end(options.run, [&](const Options& run) {
-    return with_threads(run.threads, [&] { return imported(points, faces, options, run, report, import); });
+    return with_threads(run.threads, [&] { return imported(given, options, run, report, import); });
   });
 }
 
@@ -190,14 +252,6 @@ Result<Grid> fitting_grid(std::span<const std::span<const double>> meshes) {
 
 namespace {
 
-/// The coordinates as doubles, which hold every float; `storage` keeps what had to be converted.
-std::span<const double> doubles(const Coordinates& coordinates, std::vector<double>& storage) {
-  if (const auto* exact = std::get_if<std::span<const double>>(&coordinates.values())) return *exact;
-  const auto floats = std::get<std::span<const float>>(coordinates.values());
-  storage.assign(floats.begin(), floats.end());
-  return storage;
-}
-
 /// The indices without their sign: what is negative becomes 2^31 or more, and so names nothing.
 std::span<const std::uint32_t> unsigned_indices(const Indices& indices) {
   if (const auto* plain = std::get_if<std::span<const std::uint32_t>>(&indices.values())) return *plain;
@@ -226,7 +280,7 @@ Result<Solid> Solid::from_triangles(Coordinates points, Indices triangles, const
   const auto coordinates = doubles(points, storage);
   const auto corners = unsigned_indices(triangles);
 
-  return import_to_end(coordinates, corners.size() / 3, options, report,
+  return import_to_end({coordinates, {}, corners, true}, options, report,
                        [&](const grid::Lattice& lattice, grid::Curing& curing) {
                          return grid::import_triangles(coordinates, corners, lattice, grid::Facing::out, &curing);
                        });
@@ -246,7 +300,7 @@ Result<Solid> Solid::from_polygons(Coordinates points, Indices starts, Indices c
   const auto coordinates = doubles(points, storage);
   const auto first = unsigned_indices(starts), all = unsigned_indices(corners);
 
-  return import_to_end(coordinates, first.empty() ? 0 : first.size() - 1, options, report,
+  return import_to_end({coordinates, first, all, false}, options, report,
                        [&](const grid::Lattice& lattice, grid::Curing& curing) {
                          return grid::import_polygons(coordinates, first, all, lattice, &curing);
                        });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "booleans/body/channels.h"
+
 namespace quoin::booleans {
 namespace {
 
@@ -17,6 +19,12 @@ bool has_lower_hash(const Entry& a, const Entry& b) {
 }
 
 }  // namespace
+
+bool operator==(const Origin& a, const Origin& b) {
+  if (a.id != b.id || a.faces != b.faces || a.name != b.name || a.labels != b.labels || a.surfaces != b.surfaces)
+    return false;
+  return a.channels == b.channels || (a.channels && b.channels && *a.channels == *b.channels);
+}
 
 grid::Array<std::uint32_t> Origins::in_order() const {
   grid::Array<std::uint32_t> order(size());

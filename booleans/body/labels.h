@@ -14,18 +14,22 @@
 
 namespace quoin::booleans {
 
+struct Channels;
+
 /// A mesh or a primitive as it entered, with what its faces carry. It never changes: bodies share it.
 struct Origin {
   std::uint32_t id = 0;
   std::string name = {};
-  std::uint32_t faces = 0;                // source faces are below
-  grid::Array<std::uint32_t> labels;      // by source face; empty: all 0
+  std::uint32_t faces = 0;            // source faces are below
+  grid::Array<std::uint32_t> labels;  // by source face; empty: all 0
   /// By source face; equal numbers where faces carry the same. Empty: where labels are equal.
   grid::Array<std::uint32_t> surfaces;
 
+  std::shared_ptr<const Channels> channels = nullptr;  // one function a surface (channels.h)
+
   std::uint32_t label(std::uint32_t face) const { return labels.empty() ? 0 : labels[face]; }
   std::uint32_t surface(std::uint32_t face) const { return surfaces.empty() ? label(face) : surfaces[face]; }
-  friend bool operator==(const Origin&, const Origin&) = default;
+  friend bool operator==(const Origin& a, const Origin& b);
 };
 
 /// Where a face comes from.
@@ -109,7 +113,7 @@ struct Border {
 
 /// What the faces of a body carry.
 struct Labels {
-  std::shared_ptr<const Origins> origins;  // null: nothing, and the lists are empty
+  std::shared_ptr<const Origins> origins;            // null: nothing, and the lists are empty
   grid::SharedList<Provenance> triangles, polygons;  // one a face
   grid::SharedList<Border> borders;                  // by corner
 

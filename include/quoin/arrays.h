@@ -25,6 +25,9 @@ class Coordinates {
   Coordinates(const Array& values) : values_(std::span<const float>(values)) {}  // NOLINT: implicit by design
 
   const Values& values() const { return values_; }
+  std::size_t size() const {
+    return std::visit([](const auto& list) { return list.size(); }, values_);
+  }
 
  private:
   Values values_;

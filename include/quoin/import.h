@@ -37,10 +37,17 @@ struct ImportOptions {
   Limits limits = {};
   /// What the faces carry (quoin/labels.h): a label for each triangle or polygon, all 0 where there are none, and the
   /// name of the solid. Neighbours on one plane are one face only where their labels are equal. Faces that close holes
-  /// carry nothing. Without labels, with id 0 and no name, nothing is carried, and nothing is paid.
+  /// carry nothing. Without labels and channels, with id 0 and no name, nothing is carried, and nothing is paid.
   Indices labels = {};
   std::uint32_t id = 0;
   std::string name = {};
+  /// Numbers that vary over the faces, as texture coordinates, colours and normals do: the same number of channels for
+  /// each corner of each triangle or polygon, corner by corner. Over one face each is an affine function of the
+  /// position. Neighbours on one plane are one face only where these functions are one: in the corners of the second
+  /// one that of the first is off by at most `channel_tolerance` times the range of the channel. A polygon of more than
+  /// three corners whose values are off by more is refused ("bad-number").
+  Coordinates channels = {};
+  double channel_tolerance = 0x1p-20;
 };
 
 /// What import did to the input. Counts are of points and triangles of the input.

@@ -39,7 +39,21 @@ struct LabelledMesh : Mesh {
   /// Those that triangles name, in the order in which they name a face that several cover.
   std::vector<Original> originals;
   std::vector<FaceLabel> labels;  // one a triangle
+  /// Of the original that has most channels; where a face has fewer the others are 0.
+  std::uint32_t channel_count = 0;
+  /// The channels of each corner of each triangle, corner by corner: those of the face's functions in the exact point
+  /// that the corner is, each correctly rounded; of a mesh that was mended, in the point that is written.
+  std::vector<double> channels;
 };
+
+/// The same mesh with channels by vertex, as files and graphics libraries want them: a vertex is split where channels
+/// of its corners differ. The vertex i of the result is vertex `merged[i]` of the mesh: that is how to sew it up again.
+struct ChannelMesh : Mesh {
+  std::uint32_t channel_count = 0;
+  std::vector<double> channels;  // by vertex
+  std::vector<std::uint32_t> merged;
+};
+QUOIN_API ChannelMesh split_by_channels(const LabelledMesh& mesh);
 
 /// As Solid::to_triangles, with labels. Triangles of different labels share vertices.
 QUOIN_API Result<LabelledMesh> to_labelled_triangles(const Solid& solid, const ExportOptions& options = {},
