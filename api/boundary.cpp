@@ -1,6 +1,7 @@
 #include "quoin/boundary.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -43,18 +44,25 @@ struct Boundary::Data {
   const bool is_proved;
 
  private:
-  /// A table that is made when it is first asked for.
+  /// A table that is made when it is first asked for. Not by std::call_once, through which nothing can be thrown where
+  /// memory is at its end.
   template <class Table>
   class MadeOnce {
    public:
     template <class Make>
     const Table& get(Make&& make) const {
-      std::call_once(once_, [&] { table_ = make(); });
+      if (is_made_.load(std::memory_order_acquire)) return table_;
+      const std::lock_guard lock(making_);
+      if (!is_made_) {
+        table_ = make();
+        is_made_.store(true, std::memory_order_release);
+      }
       return table_;
     }
 
    private:
-    mutable std::once_flag once_;
+    mutable std::atomic<bool> is_made_ = false;
+    mutable std::mutex making_;
     mutable Table table_;
   };
 

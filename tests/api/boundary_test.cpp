@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "api/access.h"
@@ -582,6 +583,19 @@ TEST(Boundary, EqualSolidsHaveEqualNumbers) {
     EXPECT_EQ(p.neighbours(f), q.neighbours(f));
     const auto around = p.neighbours(f);
     EXPECT_EQ(std::set<std::uint32_t>(around.begin(), around.end()).size(), 4u);
+  }
+}
+
+TEST(Boundary, ManyThreadsMayAskFirst) {
+  const Solid solid = box({0, 0, 0}, {9, 9, 9}) - box({1, 1, 1}, {3, 3, 3}) - box({5, 5, 5}, {8, 8, 8});
+  for (int round = 0; round < 20; ++round) {
+    const Boundary b = solid.boundary();
+    std::vector<std::array<std::uint32_t, 3>> said(8);
+    std::vector<std::thread> threads;
+    for (auto& own : said)
+      threads.emplace_back([&b, &own] { own = {b.component_count(), b.shell_count(), b.edge_count()}; });
+    for (std::thread& thread : threads) thread.join();
+    for (const auto& own : said) EXPECT_EQ(own, (std::array<std::uint32_t, 3>{1, 3, 36}));
   }
 }
 
