@@ -27,7 +27,7 @@ std::string text_of(const Number& number) {
 }  // namespace
 
 struct Boundary::Data {
-  Data(Grid g, booleans::Boundary&& f, bool proved) : grid(std::move(g)), form(std::move(f)), is_proved(proved) {}
+  Data(const Grid& g, booleans::Boundary&& f, bool proved) : grid(g), form(std::move(f)), is_proved(proved) {}
 
   const booleans::Edges& edges() const {
     return edges_.get([&] { return booleans::edges_of(form); });

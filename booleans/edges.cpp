@@ -58,13 +58,23 @@ void turn(const Boundary& boundary, const Edges& edges, std::uint32_t low, std::
       [&](std::uint32_t c) { return is_forward(boundary, edges, c); });
 }
 
-/// The solid lies counter-clockwise after a half-edge that runs backward, and before one that runs forward.
-void pair_by_wedges(const Boundary& boundary, std::span<const std::uint32_t> fan, Edges& edges) {
-  grid::for_loop_edges(fan, [&](std::uint32_t a, std::uint32_t b) {
-    if (is_forward(boundary, edges, a) || !is_forward(boundary, edges, b)) return;
-    edges.opposite[a] = b;
-    edges.opposite[b] = a;
-  });
+/// The solid lies counter-clockwise after a half-edge that runs backward, and before one that runs forward. They are
+/// paired as brackets are, since around an edge of a body that was trusted wrongly they need not alternate; then, too,
+/// all have a pair.
+void pair_by_wedges(const Boundary& boundary, std::span<const std::uint32_t> fan, std::vector<std::uint32_t>& open,
+                    Edges& edges) {
+  open.clear();
+  for (int round = 0; round < 2; ++round)
+    for (const std::uint32_t c : fan) {
+      if (edges.opposite[c] != c) continue;
+      if (!is_forward(boundary, edges, c)) {
+        if (round == 0) open.push_back(c);
+      } else if (!open.empty()) {
+        edges.opposite[c] = open.back();
+        edges.opposite[open.back()] = c;
+        open.pop_back();
+      }
+    }
 }
 
 }  // namespace
@@ -80,7 +90,7 @@ Edges edges_of(const Boundary& boundary) {
   for (std::uint32_t c = 0; c < corner_count; ++c) edges.opposite[c] = c;
   edges.fan.reserve(corner_count);
 
-  std::vector<std::uint32_t> fan;
+  std::vector<std::uint32_t> fan, open;
   for (std::uint32_t low = 0; low < halves.size(); ++low)
     for (std::size_t i = 0; i < halves[low].size();) {
       const std::uint32_t high = halves[low][i].high;
@@ -89,7 +99,7 @@ Edges edges_of(const Boundary& boundary) {
 
       turn(boundary, edges, low, high, fan);
       for (const std::uint32_t c : fan) edges.edge[c] = static_cast<std::uint32_t>(edges.ends.size());
-      pair_by_wedges(boundary, fan, edges);
+      pair_by_wedges(boundary, fan, open, edges);
       edges.ends.push_back({low, high});
       edges.fan.insert(edges.fan.end(), fan.begin(), fan.end());
       edges.fan_start.push_back(static_cast<std::uint32_t>(edges.fan.size()));

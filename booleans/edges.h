@@ -21,7 +21,7 @@ struct Edges {
   // By corner.
   std::vector<std::uint32_t> face, loop;
   std::vector<std::uint32_t> edge;      // none in a loop of one corner
-  std::vector<std::uint32_t> opposite;  // with which it bounds a wedge of the solid; itself where there is none
+  std::vector<std::uint32_t> opposite;  // with which it bounds a wedge of the solid; itself in a loop of one corner
 
   std::span<const std::uint32_t> fan_of(std::size_t e) const {
     return std::span(fan).subspan(fan_start[e], fan_start[e + 1] - fan_start[e]);

@@ -114,8 +114,17 @@ typedef struct quoin_error {
 } quoin_error;
 
 /** quoin_options options = QUOIN_INIT(quoin_options); */
+#ifdef __cplusplus
+#define QUOIN_INIT(type)           \
+  ([] {                            \
+    type defaults_{};              \
+    defaults_.size = sizeof(type); \
+    return defaults_;              \
+  }())
+#else
 #define QUOIN_INIT(type) \
   { .size = sizeof(type) }
+#endif
 
 QUOIN_C_API void quoin_text_free(char* text);
 

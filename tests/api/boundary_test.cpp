@@ -586,6 +586,33 @@ TEST(Boundary, EqualSolidsHaveEqualNumbers) {
   }
 }
 
+// What is trusted wrongly has unspecified answers, and walks that end.
+TEST(Boundary, TrustedWrongly) {
+  auto random = random_engine();
+  for (int round = 0; round < 60; ++round) {
+    Mesh soup;
+    for (std::uint64_t i = 0, n = 2 + random() % 4; i < n; ++i) {
+      const Mesh one = random_tetrahedron(random, 2).to_triangles().value();
+      const auto base = static_cast<std::uint32_t>(soup.points.size() / 3);
+      soup.points.insert(soup.points.end(), one.points.begin(), one.points.end());
+      for (const std::uint32_t v : one.triangles) soup.triangles.push_back(base + v);
+    }
+    const auto trusted = Solid::from_triangles(soup.points, soup.triangles, {.grid = Grid(), .trust = Trust::embedded});
+    ASSERT_TRUE(trusted);
+    for (const Solid& solid : {trusted.value(), ~trusted.value()}) {
+      const Boundary b = solid.boundary();
+      for (std::uint32_t c = 0; c < b.corner_count(); ++c) {
+        const auto other = b.opposite(c);
+        ASSERT_TRUE(!other || (b.opposite(*other) == c && b.edge_of(*other) == b.edge_of(c) && *other != c));
+      }
+      for (std::uint32_t s = 0; s < b.shell_count(); ++s) EXPECT_LT(b.component_of(s), b.component_count());
+      EXPECT_EQ(b.components().size(), b.component_count());
+      (void)Solid::from_boundary(b.to_exact_polygons());
+      (void)Solid::from_boundary(b.to_exact_polygons(), Trust::embedded);
+    }
+  }
+}
+
 TEST(Boundary, ManyThreadsMayAskFirst) {
   const Solid solid = box({0, 0, 0}, {9, 9, 9}) - box({1, 1, 1}, {3, 3, 3}) - box({5, 5, 5}, {8, 8, 8});
   for (int round = 0; round < 20; ++round) {

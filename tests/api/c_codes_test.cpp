@@ -32,5 +32,11 @@ TEST(CCodes, NothingIsThrown) {
   EXPECT_EQ(c::guarded(nullptr, [] { throw 7; }), QUOIN_INTERNAL_DEFECT);
 }
 
+TEST(CCodes, StructsBeginWithTheirSizeInCxxToo) {
+  const quoin_info info = QUOIN_INIT(quoin_info);
+  EXPECT_EQ(info.size, sizeof info);
+  EXPECT_EQ(info.shells, 0u);
+}
+
 }  // namespace
 }  // namespace quoin::api_test

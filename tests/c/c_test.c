@@ -262,6 +262,53 @@ static void test_operations(void) {
   quoin_solid_free(r);
 }
 
+/* A solid from arrays on a grid of its own. */
+static quoin_solid* on_grid(const double* points, const uint32_t* triangles, size_t points_count, size_t corners,
+                            const char* step, const char* const origin[3]) {
+  const quoin_array indices = {triangles, corners, QUOIN_UINT32};
+  quoin_import_options options = QUOIN_INIT(quoin_import_options);
+  quoin_import_report report = QUOIN_INIT(quoin_import_report);
+  quoin_solid* solid = NULL;
+  quoin_grid* grid = NULL;
+  DONE(quoin_grid_with_step(step, origin, &grid, &error));
+  options.grid = grid;
+  DONE(quoin_solid_from_triangles(doubles(points, points_count), indices, &options, &report, &solid, &error));
+  CHECK(report.max_snap == 0);
+  quoin_grid_free(grid);
+  return solid;
+}
+
+/* A tetrahedron with long normals, and a box so far away that no grid holds both exactly. */
+static void test_reports(void) {
+  static const double corners[] = {-536870911, 1,         2,          536870909, -536870912, 7,
+                                   12345,      536870911, -536870912, 3,         5,          536870911};
+  static const uint32_t outwards[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  static const char* const origin[3] = {"0", "0", "1e11"};
+  double points[24];
+  box_points(0, 1024, points);
+  for (int i = 2; i < 24; i += 3) points[i] += 1e11;
+  quoin_solid *fine = on_grid(corners, outwards, 12, 12, "1", NULL), *r = NULL, *above = NULL, *below = NULL;
+  quoin_solid* wide = on_grid(points, box_triangles, 24, 36, "1024", origin);
+  const quoin_solid* const both[2] = {wide, fine};
+
+  quoin_operation_report report = QUOIN_INIT(quoin_operation_report);
+  quoin_options options = QUOIN_INIT(quoin_options);
+  DONE(quoin_unite(both, 2, NULL, &report, &r, &error));
+  CHECK(report.rounded_operands > 0 && report.max_snap > 0);
+  quoin_solid_free(r);
+  options.grid_rule = QUOIN_GRID_EXACT;
+  REFUSED(quoin_unite(both, 2, &options, &report, &r, &error), QUOIN_INEXACT_GRID, "operand 1");
+  CHECK(r == NULL);
+
+  const char* const plane[4] = {"0.1234567890123456789", "0.9876543210987654321", "0.5555555555555555557", "-7"};
+  DONE(quoin_split(fine, plane, NULL, &report, &above, &below, &error));
+  CHECK(report.rounded_planes == 1 && report.rounded_operands == 0);
+  quoin_solid_free(above);
+  quoin_solid_free(below);
+  quoin_solid_free(fine);
+  quoin_solid_free(wide);
+}
+
 struct course {
   double last;
   int calls, stages, stop_after;
@@ -722,6 +769,7 @@ int main(int argc, char** argv) {
   test_grids();
   test_arrays();
   test_operations();
+  test_reports();
   test_running();
   test_answers();
   test_text_and_files();
