@@ -671,6 +671,7 @@ static void test_boundary(void) {
   CHECK(point[0] == 0 && point[1] == 0 && point[2] == 0);
   REFUSED(quoin_boundary_point(boundary, 24, point, &error), QUOIN_BAD_ARGUMENT, "vertex");
   REFUSED(quoin_boundary_point(NULL, 0, point, &error), QUOIN_BAD_ARGUMENT, "boundary");
+  quoin_boundary_free(boundary);
   REFUSED(quoin_solid_boundary(NULL, &boundary, &error), QUOIN_BAD_ARGUMENT, "solid");
   CHECK(boundary == NULL);
 
