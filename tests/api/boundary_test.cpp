@@ -513,7 +513,9 @@ TEST(Boundary, ComponentsOfLatticeSets) {
     const auto set = random_set(random);
     const Solid solid = solid_of(set, 2);
     const Boundary b = solid.boundary();
-    EXPECT_EQ(b.component_count(), booleans::testing::parts(set, booleans::testing::simplices(set), true, 3));
+    const auto simplices = booleans::testing::simplices(set);
+    EXPECT_EQ(b.component_count(), booleans::testing::parts(set, simplices, true, 3));
+    EXPECT_EQ((~solid).boundary().component_count(), booleans::testing::parts(set, simplices, false, 3));
     const auto topology = booleans::testing::separated_topology(set);
     EXPECT_EQ(b.shell_count(), topology.shells);
     EXPECT_EQ(euler(solid)[5], topology.genus);
