@@ -5,8 +5,8 @@
  * Errors. A function that can fail returns a quoin_code, QUOIN_OK being 0, and fills the caller's `error`, which may be
  * NULL. A handle, a text or a number that it hands out is then NULL or 0, a struct stays as it was; only reports may
  * say why an input was refused. Nothing is thrown through these functions. Memory exhaustion is
- * QUOIN_OUT_OF_MEMORY, but where GMP or the C library itself gets none: these end the process (docs/errors.md).
- * Callbacks must return to their caller.
+ * QUOIN_OUT_OF_MEMORY, but where GMP (see quoin_reserve_for_gmp) or the C library itself gets none: these end the
+ * process. Callbacks must return to their caller.
  *
  * Arguments. A NULL where none is allowed, an index beyond its count, an enumerator that there is none of, and a struct
  * of size 0 are QUOIN_BAD_ARGUMENT. NULL is allowed for `error`, for options (the defaults), for reports (none), and
@@ -127,6 +127,14 @@ typedef struct quoin_error {
 #endif
 
 QUOIN_C_API void quoin_text_free(char* text);
+
+/**
+ * GMP, which computes with long numbers, ends the process where it gets no memory. After this call it takes it from so
+ * many bytes that are set aside now, until an allocation of Quoin's own fails and is an error; only what is longer than
+ * these still ends the process. Sets GMP's functions for memory, which the whole process shares; once, while no other
+ * thread uses GMP, and not where the process has set functions of its own.
+ */
+QUOIN_C_API quoin_code quoin_reserve_for_gmp(size_t bytes, quoin_error* error);
 
 /* Handles */
 

@@ -765,7 +765,12 @@ static int course_of_work(void) {
 }
 
 int main(int argc, char** argv) {
-  if (argc > 1 && strcmp(argv[1], "memory") == 0) return course_of_work();
+  if (argc > 1 && strcmp(argv[1], "memory") == 0) {
+    const quoin_code code = argc > 2 ? quoin_reserve_for_gmp(1 << 20, &error) : QUOIN_OK;
+    return code == QUOIN_OK ? course_of_work() : code == QUOIN_OUT_OF_MEMORY ? 3 : 1;
+  }
+  DONE(quoin_reserve_for_gmp(0, &error));
+  REFUSED(quoin_reserve_for_gmp(1 << 20, &error), QUOIN_BAD_ARGUMENT, "bytes");
   test_versions();
   test_grids();
   test_arrays();
