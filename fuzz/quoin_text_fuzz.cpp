@@ -36,7 +36,10 @@ void run(std::span<const std::uint8_t> bytes) {
   const std::string plain = text.starts_with("quoin") ? plain_text(text) : damaged_text(bytes);
   if (const auto law = damage::broken_law(plain)) fail(law->c_str(), plain);
   const auto trusted = Solid::from_quoin(plain, Trust::embedded);
-  if (trusted) require(!trusted.value().to_quoin().empty(), "a trusted text can be written");
+  if (!trusted) return;
+  require(!trusted.value().to_quoin().empty(), "a trusted text can be written");
+  const Boundary boundary = trusted.value().boundary();
+  require(boundary.components().size() == boundary.component_count(), "a trusted boundary has components");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "api/access.h"
+#include "api/doors/exact_document.h"
 #include "booleans/body/canonical.h"
 #include "booleans/body/validity.h"
 #include "booleans/embedding.h"
@@ -13,7 +14,6 @@
 
 namespace quoin {
 
-using booleans::Boundary;
 using exact::Integer;
 using exact::Rational;
 
@@ -205,8 +205,8 @@ Result<exact::Plane> read_plane(const std::array<std::string_view, 4>& text, std
   return p;
 }
 
-Result<Boundary> read_boundary(const io::ExactDocument& document) {
-  Boundary boundary;
+Result<booleans::Boundary> read_boundary(const io::ExactDocument& document) {
+  booleans::Boundary boundary;
   boundary.full_at_infinity = document.full_at_infinity;
 
   boundary.vertices.reserve(document.vertices.size());
@@ -230,7 +230,7 @@ Result<Boundary> read_boundary(const io::ExactDocument& document) {
 }
 
 /// "faces 3 and 7", counted as in the text; "faces" where none is known. `faces`: of the body.
-std::string names_of(std::span<const std::uint32_t> faces, const Boundary& boundary) {
+std::string names_of(std::span<const std::uint32_t> faces, const booleans::Boundary& boundary) {
   if (faces.empty()) return "faces";
   const auto order = booleans::faces_in_order_of_body(boundary);
   std::vector<std::uint32_t> numbers;
@@ -242,7 +242,7 @@ std::string names_of(std::span<const std::uint32_t> faces, const Boundary& bound
 }
 
 /// Room for a text whose numbers are as long as in most: more is found where they are longer.
-std::string room_for(const Boundary& form) {
+std::string room_for(const booleans::Boundary& form) {
   constexpr std::size_t vertex = 110, plane = 90, corner = 8;
   std::string room;
   room.reserve(vertex * form.vertices.size() + plane * form.face_count() + corner * form.faces.corners.size() + 4096);
@@ -270,14 +270,11 @@ std::string Solid::to_quoin() const {
   return writer.end();
 }
 
-Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
-  auto document = io::read_quoin(text);
-  if (!document) return document.error();
-
-  auto lattice = read_lattice(document.value());
+Result<Solid> solid_of(const io::ExactDocument& document, Trust trust) {
+  auto lattice = read_lattice(document);
   if (!lattice) return lattice.error();
 
-  const auto boundary = read_boundary(document.value());
+  const auto boundary = read_boundary(document);
   if (!boundary) return boundary.error();
 
   booleans::Body body = booleans::body_of(boundary.value());
@@ -290,6 +287,19 @@ Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
   }
 
   return Access::solid(Access::grid(std::move(lattice).value()), std::move(body));
+}
+
+Result<Solid> Solid::from_quoin(std::string_view text, Trust trust) {
+  const auto document = io::read_quoin(text);
+  if (!document) return document.error();
+  return solid_of(document.value(), trust);
+}
+
+Result<Solid> Solid::from_boundary(const ExactPolygons& polygons, Trust trust) {
+  const GridText grid(polygons.grid);
+  const auto document = document_of(polygons, grid);
+  if (!document) return document.error();
+  return solid_of(document.value(), trust);
 }
 
 }  // namespace quoin

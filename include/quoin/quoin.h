@@ -15,6 +15,7 @@
 #include "quoin/export.h"
 
 #include "quoin/arrays.h"
+#include "quoin/boundary.h"
 #include "quoin/error.h"
 #include "quoin/expression.h"
 #include "quoin/files.h"

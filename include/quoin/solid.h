@@ -26,6 +26,9 @@ namespace booleans {
 struct Body;
 }
 
+class Boundary;
+struct ExactPolygons;
+
 /// A box by its low and high corner, model units.
 using Box = std::array<std::array<double, 3>, 2>;
 
@@ -89,6 +92,10 @@ class QUOIN_API Solid {
   /// A solid from the text of a .quoin file (docs/format.md). Errors: "bad-quoin" with the line, or with the vertex or
   /// face that does not fit. `Trust::embedded` skips the proof that faces do not cross and bound a solid.
   static Result<Solid> from_quoin(std::string_view text, Trust trust = Trust::nothing);
+  /// A solid from its exact boundary as arrays (quoin/boundary.h), checked as the text of a .quoin file is: faces must
+  /// be maximal; their order, and that of vertices and loops, is free. Errors: "bad-number", "bad-index", "bad-quoin";
+  /// `where` is the vertex or face.
+  static Result<Solid> from_boundary(const ExactPolygons& polygons, Trust trust = Trust::nothing);
 
   const Grid& grid() const;
   /// The same point set on another grid. Errors: "inexact-grid" (naming a step that would work), "out-of-range";
@@ -110,6 +117,8 @@ class QUOIN_API Solid {
   /// Exact, for any three finite doubles in model units.
   Location classify(const std::array<double, 3>& point) const;
 
+  /// The exact boundary in canonical order (quoin/boundary.h); made anew at each call.
+  Boundary boundary() const;
   /// Triangles, correctly rounded, and mended where that is not valid (ExportOptions::validity). `report` and
   /// `surface`, when given, receive what else there is to say of them.
   /// Errors: "unbounded", "out-of-range", "cancelled".
