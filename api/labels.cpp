@@ -10,7 +10,6 @@
 
 namespace quoin {
 
-using booleans::Boundary;
 using booleans::Origins;
 using booleans::Provenance;
 
@@ -131,7 +130,7 @@ ChannelMesh split_by_channels(const LabelledMesh& mesh) {
 }
 
 Result<Solid> labelled(const Solid& solid, const Original& original, Indices labels) {
-  Boundary boundary = booleans::canonical(Access::body(solid));
+  booleans::Boundary boundary = booleans::canonical(Access::body(solid));
   const std::size_t faces = boundary.face_count();
   if (labels.size() > 0 && labels.size() != faces)
     return Error{ErrorCode::bad_index,
@@ -160,9 +159,9 @@ bool has_labels(const Solid& solid) { return static_cast<bool>(Access::operand(s
 namespace {
 
 /// Do faces carry the same, apart from the source face?
-bool carry_the_same(const Boundary& a, const Boundary& b) {
+bool carry_the_same(const booleans::Boundary& a, const booleans::Boundary& b) {
   const std::size_t n = a.face_count();
-  const auto list = [&](const Boundary& boundary) {
+  const auto list = [&](const booleans::Boundary& boundary) {
     std::vector<std::tuple<bool, std::uint32_t, std::string, std::uint32_t, bool>> faces(n);
     for (std::size_t f = 0; f < n && boundary.labels; ++f) {
       const Provenance& p = boundary.labels.polygons[f];
@@ -181,7 +180,8 @@ bool same_faces(const Solid& a, const Solid& b) {
     const auto there = b.on_grid(a.grid());
     return there && same_faces(a, there.value());
   }
-  const Boundary p = booleans::labelled_boundary(Access::body(a)), q = booleans::labelled_boundary(Access::body(b));
+  const booleans::Boundary p = booleans::labelled_boundary(Access::body(a)),
+                           q = booleans::labelled_boundary(Access::body(b));
   return p == q && carry_the_same(p, q);
 }
 
