@@ -10,6 +10,7 @@
 #include "api/run.h"
 #include "booleans/body/locate.h"
 #include "booleans/half_spaces.h"
+#include "booleans/pairs/operands.h"
 #include "booleans/parts.h"
 #include "exact/predicates.h"
 #include "rounding/planes/noisy_plane.h"
@@ -43,23 +44,26 @@ Result<void> unify(Flattened& f, const Options& options, OperationRecord& record
       [&](std::size_t i, const Rounded& rounded) { record.add(rounded, operand_name(f.solid_places, i)); });
 }
 
-/// The leaves of an expression that are solids, each once.
+/// The leaves of an expression that are solids, each once, in the order in which it names them first.
 std::vector<const Access::ExpressionNode*> solid_leaves(const Expression& expression) {
   std::vector<const Access::ExpressionNode*> leaves, pending{Access::node(expression)};
-  std::unordered_set<const Access::ExpressionNode*> seen(pending.begin(), pending.end());
+  std::unordered_set<const Access::ExpressionNode*> seen;
   while (!pending.empty()) {
     const Access::ExpressionNode* node = pending.back();
     pending.pop_back();
-    if (!node) continue;
+    if (!node || !seen.insert(node).second) continue;
     if (node->kind == Access::ExpressionNode::Kind::solid) leaves.push_back(node);
-    for (const Expression& term : node->terms)
-      if (seen.insert(Access::node(term)).second) pending.push_back(Access::node(term));
+    for (std::size_t i = node->terms.size(); i-- > 0;) pending.push_back(Access::node(node->terms[i]));
   }
   return leaves;
 }
 
+using Origins = std::shared_ptr<const booleans::Origins>;
+
 /// The same where terms are evaluated by themselves: the leaves become known as what they are on the common grid.
-Result<void> unify(const Expression& expression, KnownTerms& known, const Options& options, OperationRecord& record) {
+/// Returns the origins of all, so that the terms are named as the whole would be.
+Result<Origins> unify(const Expression& expression, KnownTerms& known, const Options& options,
+                      OperationRecord& record) {
   std::vector<Solid> solids;
   std::vector<std::size_t> numbers;
   std::map<std::pair<const Body*, const grid::Lattice*>, std::size_t> first;
@@ -74,9 +78,11 @@ Result<void> unify(const Expression& expression, KnownTerms& known, const Option
   const auto unified = go_to_common_grid(
       solids, options, [](Error error, std::size_t) { return error; },
       [&](std::size_t, const Rounded& rounded) { record.add(rounded, ""); });
-  if (!unified) return unified;
+  if (!unified) return unified.error();
   for (std::size_t i = 0; i < leaves.size(); ++i) known.emplace(leaves[i], solids[numbers[i]]);
-  return {};
+  std::vector<const Body*> bodies;
+  for (const Solid& solid : solids) bodies.push_back(&Access::operand(solid));
+  return booleans::joint_origins(bodies);
 }
 
 /// What the solids reach, in steps of their grid; without any surface the world.
@@ -167,8 +173,9 @@ bool is_identity(const booleans::Expression& e) {
 }
 
 /// As one Boolean, but for the terms that are known. Errors name operands unless the expression `is_part` of one.
+/// `origins`: those of all operands, null for those of this expression.
 Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& known, bool is_part,
-                               const Options& options, OperationRecord& record) {
+                               const Origins& origins, const Options& options, OperationRecord& record) {
   Flattened f = flattened(expression, known);
   if (is_part) f.solid_places = f.half_space_places = {};
   if (f.solids.empty())
@@ -188,7 +195,7 @@ Result<Solid> evaluate_at_once(const Expression& expression, const KnownTerms& k
     if (!clipped) return clipped.error();
   }
 
-  auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options));
+  auto result = booleans::evaluate_in_parts(operands, f.expression, run_of(options), origins);
   if (!result) return result.error();
   return Access::solid(grid, std::move(result).value());
 }
@@ -198,15 +205,19 @@ Result<Solid> evaluate_here(const Expression& expression, const Options& options
   if (!shared) return shared.error();
   const bool in_parts = !shared.value().empty();
   KnownTerms known;
-  if (in_parts)
-    if (const auto unified = unify(expression, known, options, record); !unified) return unified.error();
+  Origins origins;
+  if (in_parts) {
+    auto unified = unify(expression, known, options, record);
+    if (!unified) return unified.error();
+    origins = std::move(unified).value();
+  }
 
   for (const Expression* term : shared.value()) {
-    auto solid = evaluate_at_once(*term, known, in_parts, {.cancel = options.cancel}, record);
+    auto solid = evaluate_at_once(*term, known, in_parts, origins, {.cancel = options.cancel}, record);
     if (!solid) return solid.error();
     known.emplace(Access::node(*term), std::move(solid).value());
   }
-  return evaluate_at_once(expression, known, in_parts, options, record);
+  return evaluate_at_once(expression, known, in_parts, origins, options, record);
 }
 
 /// A solid as an operand of one of the flat operations.

@@ -211,8 +211,11 @@ std::vector<Part> own_subtrees(const Task& task) {
 /// Makes the expression smaller, round by round.
 class Reduction {
  public:
-  Reduction(std::span<const Body* const> operands, const Expression& expression, const Run& run)
-      : task_{{operands.begin(), operands.end()}, expression}, run_(run), origins_(joint_origins(operands)) {}
+  Reduction(std::span<const Body* const> operands, const Expression& expression, const Run& run,
+            std::shared_ptr<const Origins> origins)
+      : task_{{operands.begin(), operands.end()}, expression},
+        run_(run),
+        origins_(origins ? std::move(origins) : joint_origins(operands)) {}
 
   Result<Body> run() {
     drop_repeated_leaves();
@@ -320,8 +323,9 @@ class Reduction {
 
 }  // namespace
 
-Result<Body> evaluate_in_parts(std::span<const Body* const> operands, const Expression& expression, const Run& run) {
-  return Reduction(operands, expression, run).run();
+Result<Body> evaluate_in_parts(std::span<const Body* const> operands, const Expression& expression, const Run& run,
+                               std::shared_ptr<const Origins> origins) {
+  return Reduction(operands, expression, run, std::move(origins)).run();
 }
 
 }  // namespace quoin::booleans

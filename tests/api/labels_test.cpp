@@ -96,6 +96,25 @@ TEST(Labels, OfLargeInputsAndOfPatchesFollowTheSameRule) {
   }
 }
 
+// Terms that stand in several places are evaluated by themselves, where they are large: they are named all the same.
+TEST(Labels, TermsThatAreSharedFollowTheSameRule) {
+  std::mt19937_64 random = random_engine();
+  const WithThresholds set(Thresholds::smallest());
+  for (int round = 0; round < 60 && !HasFailure(); ++round) {
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < 4; ++i) pieces.push_back(random_piece(random, i));
+    const Tree shared{Tree::Rule::any, 0, {{Tree::Rule::leaf, 3}, {Tree::Rule::leaf, 1}, {Tree::Rule::leaf, 2}}};
+    const Tree tree{Tree::Rule::any,
+                    0,
+                    {{Tree::Rule::all, 0, {{Tree::Rule::leaf, 0}, {Tree::Rule::leaf, 1}}},
+                     {Tree::Rule::all, 0, {shared, {Tree::Rule::leaf, 2}}},
+                     {Tree::Rule::difference, 0, {shared, {Tree::Rule::leaf, 0}}}}};
+    const Expression term = expression_of(shared, pieces), p0 = pieces[0].solid, p1 = pieces[1].solid,
+                     p2 = pieces[2].solid;
+    expect_named(evaluate((p0 & p1) + (term & p2) + (term - p0)).value(), tree, pieces, Order::of_the_whole);
+  }
+}
+
 TEST(Labels, ACubeOfSixLabelsMinusABallKeepsSix) {
   const Mesh ball = examples::icosphere({2, 2, 4}, 1.5, 2);
   ImportOptions options;
