@@ -115,6 +115,18 @@ TEST(Labels, TermsThatAreSharedFollowTheSameRule) {
   }
 }
 
+// A symmetric difference of many is not taken in groups, of which the first would lose its faces: the first one names.
+TEST(Labels, OfASymmetricDifferenceTheFirstOneNames) {
+  std::vector<Solid> boxes;
+  for (std::uint32_t id = 0; id < 9; ++id) boxes.push_back(labelled_box({0, 0, 0}, {1, 1, 1}, {id, "box"}));
+  for (const Thresholds& thresholds : {Thresholds{}, Thresholds::smallest()}) {
+    const WithThresholds set(thresholds);
+    const LabelledMesh mesh = to_labelled_triangles(symmetric_difference(boxes).value()).value();
+    EXPECT_EQ(mesh.labels.size(), 12u);
+    EXPECT_EQ(mesh.originals, (std::vector<Original>{{0, "box"}}));
+  }
+}
+
 TEST(Labels, ACubeOfSixLabelsMinusABallKeepsSix) {
   const Mesh ball = examples::icosphere({2, 2, 4}, 1.5, 2);
   ImportOptions options;
