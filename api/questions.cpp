@@ -9,6 +9,7 @@
 #include "api/run.h"
 #include "booleans/questions/along_line.h"
 #include "booleans/questions/moments.h"
+#include "booleans/questions/nearest.h"
 #include "booleans/questions/section.h"
 #include "grid/lists/stretches.h"
 
@@ -153,6 +154,28 @@ Result<Passage> Questions::segment(const Numbers& from, const Numbers& to) const
 
 namespace {
 
+std::array<ExactNumber, 3> in_model_units(const booleans::RationalPoint& p, const grid::Lattice& lattice) {
+  std::array<ExactNumber, 3> r;
+  for (std::size_t k = 0; k < 3; ++k) r[k] = exact_number(lattice.origin[k] + lattice.step * p[k]);
+  return r;
+}
+
+}  // namespace
+
+std::optional<Nearest> Questions::nearest(const std::array<double, 3>& point) const {
+  assert(are_finite(point));
+  const booleans::QueryPoint from(data_->frame, point);
+  auto found = booleans::nearest(data_->index, from);
+  if (!found) return std::nullopt;
+
+  const grid::Lattice& lattice = data_->frame.lattice();
+  const int side = found->squared_distance == 0 ? 0 : booleans::locate(data_->index, from);
+  return Nearest{exact_number(found->squared_distance * lattice.step * lattice.step),
+                 in_model_units(found->point, lattice), std::move(found->faces), location(side)};
+}
+
+namespace {
+
 /// From grid steps to model units: x = o + s X.
 booleans::Moments in_model_units(const booleans::Moments& m, const grid::Lattice& lattice) {
   const Rational &s = lattice.step, cubic = s * s * s;
@@ -253,11 +276,7 @@ Result<Section> Questions::section(const HalfSpace& half_space) const {
 
   Section r{};
   r.vertices.reserve(found->vertices.size());
-  for (const auto& p : found->vertices) {
-    ModelPoint model;
-    for (std::size_t k = 0; k < 3; ++k) model[k] = lattice.origin[k] + lattice.step * p[k];
-    r.vertices.push_back(exact_numbers(model));
-  }
+  for (const auto& p : found->vertices) r.vertices.push_back(in_model_units(p, lattice));
   for (std::size_t f = 0; f + 1 < found->polygons.face_start.size(); ++f) {
     auto& polygon = r.polygons.emplace_back();
     found->polygons.for_loops(

@@ -70,6 +70,9 @@ int main(int argc, char** argv) {
   row("`segment`", few, seconds([&] {
         for (std::size_t i = 0; i < few; ++i) sink += must(questions.segment(point(), point())).contacts.size();
       }));
+  row("`nearest`", 2000, seconds([&] {
+        for (int i = 0; i < 2000; ++i) sink += questions.nearest(point())->faces.size();
+      }));
   row("`section`", 20, seconds([&] {
         for (int i = 0; i < 20; ++i)
           sink += must(questions.section({{"1", "2", "3", std::to_string(i) + "/17"}})).vertices.size();

@@ -48,6 +48,19 @@ struct Passage {
   friend bool operator==(const Passage&, const Passage&) = default;
 };
 
+/// The point of a solid's boundary that is nearest to another point.
+struct Nearest {
+  /// Square model units.
+  ExactNumber squared_distance;
+  /// Of equally near ones the first in order of their exact (x, y, z), model units.
+  std::array<ExactNumber, 3> point;
+  /// All faces that hold it, ascending.
+  std::vector<std::uint32_t> faces;
+  /// Where the point lies that was asked about: the distance to the solid is 0 unless it is outside.
+  Location where;
+  friend bool operator==(const Nearest&, const Nearest&) = default;
+};
+
 /// What a solid weighs at density 1, and where, model units.
 struct MassProperties {
   /// Integrals over the solid of 1, of x, y, z, and of xx, yy, zz, yz, zx, xy. They are additive: those of A and B add
@@ -107,6 +120,9 @@ class QUOIN_API Questions {
   /// From a point (t = 0) to another one (t = 1). Errors: "non-finite", "bad-axis" (they are equal), "bad-number".
   Result<Passage> segment(const std::array<double, 3>& from, const std::array<double, 3>& to) const;
   Result<Passage> segment(const Numbers& from, const Numbers& to) const;
+
+  /// The boundary's nearest point; nothing where there is no boundary. Precondition: finite.
+  std::optional<Nearest> nearest(const std::array<double, 3>& point) const;
 
   /// Exact: of solids of many derived vertices the numbers are long, and take time (docs/questions.md). Nothing of an
   /// unbounded solid.

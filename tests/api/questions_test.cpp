@@ -139,6 +139,24 @@ TEST(Questions, ManyPointsAtOnce) {
   EXPECT_TRUE(questions.classify(std::vector<double>{}).value().empty());
 }
 
+TEST(Questions, NearestInModelUnits) {
+  const Grid grid = Grid::with_step_and_origin("1/2", {"1/2", "0", "-3"}).value();
+  const Questions questions(box({.5, 0, -3}, {2.5, 3, 1}, grid));
+  const Nearest corner = questions.nearest({3.5, 4, 3}).value();
+  EXPECT_EQ(corner.squared_distance.exact, "6");
+  EXPECT_EQ(corner.point[0].exact, "5/2");
+  EXPECT_EQ(corner.point[1].exact, "3");
+  EXPECT_EQ(corner.point[2].rounded, 1.0);
+  EXPECT_EQ(corner.faces, (std::vector<std::uint32_t>{high_z, high_y, high_x}));
+  EXPECT_EQ(corner.where, out);
+  const Nearest within = questions.nearest({1.25, 1.5, -1}).value();
+  EXPECT_EQ(within.squared_distance.exact, "9/16");
+  EXPECT_EQ(within.point[0].exact, "1/2");
+  EXPECT_EQ(within.where, in);
+  EXPECT_EQ(questions.nearest({.5, 1, 1})->where, on);
+  EXPECT_FALSE(Questions(Solid::full(Grid())).nearest({0, 0, 0}));
+}
+
 TEST(Questions, MassOfABox) {
   const Grid grid = Grid::with_step_and_origin("1/2", {"1/2", "0", "-3"}).value();
   const Questions questions(box({.5, 0, -3}, {2.5, 3, 1}, grid));
