@@ -8,6 +8,7 @@
 #include "api/access.h"
 #include "api/run.h"
 #include "booleans/questions/along_line.h"
+#include "booleans/questions/interference.h"
 #include "booleans/questions/moments.h"
 #include "booleans/questions/nearest.h"
 #include "booleans/questions/section.h"
@@ -284,6 +285,27 @@ Result<Section> Questions::section(const HalfSpace& half_space) const {
   }
   add_area(*found, *plane, lattice.step, r);
   return r;
+}
+
+Result<Interference> interference(const Questions& a, const Questions& b, const Options& run) {
+  if (!(a.solid().grid() == b.solid().grid())) {
+    const auto b_on_a = b.solid().on_grid(a.solid().grid());
+    if (b_on_a) return interference(a, Questions(*b_on_a), run);
+    const auto a_on_b = a.solid().on_grid(b.solid().grid());
+    return a_on_b ? interference(Questions(*a_on_b), b, run) : b_on_a.error();
+  }
+
+  switch (booleans::meeting(a.data_->index, b.data_->index)) {
+    case booleans::Meeting::apart:
+      return Interference::apart;
+    case booleans::Meeting::overlapping:
+      return Interference::overlapping;
+    case booleans::Meeting::contact:
+      break;
+  }
+  const auto common = intersect({a.solid(), b.solid()}, run);
+  if (!common) return common.error();
+  return common->is_empty() ? Interference::touching : Interference::overlapping;
 }
 
 }  // namespace quoin

@@ -73,6 +73,9 @@ int main(int argc, char** argv) {
   row("`nearest`", 2000, seconds([&] {
         for (int i = 0; i < 2000; ++i) sink += questions.nearest(point())->faces.size();
       }));
+  const Questions first(spheres[0]), second(spheres[1]);
+  row("`interference` of the two", 1,
+      seconds([&] { sink += must(interference(first, second)) == Interference::overlapping; }));
   row("`section`", 20, seconds([&] {
         for (int i = 0; i < 20; ++i)
           sink += must(questions.section({{"1", "2", "3", std::to_string(i) + "/17"}})).vertices.size();

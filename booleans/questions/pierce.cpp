@@ -101,9 +101,10 @@ Piercing pierce_exactly(const Index& index, const Line& line, std::uint32_t t) {
   if (are_all(signs, 0)) return {Kind::along};
 
   const int facing = *std::max_element(signs.begin(), signs.end()) > 0 ? 1 : -1;
+  const bool is_inside = are_all(signs, facing);
   for (std::size_t i = 0; i < 3; ++i)
     if (signs[i] == 0) signs[i] = shifted_side(v[i], v[after(i)], d);
-  return {Kind::point, facing, are_all(signs, facing) ? facing : 0};
+  return {Kind::point, facing, are_all(signs, facing) ? facing : 0, is_inside};
 }
 
 /// The plane's value at a point, times its denominator.
@@ -126,7 +127,7 @@ Piercing pierce(const Index& index, const Line& line, std::uint32_t t) {
   const bool passes = disagree(signs), crosses = are_all(signs, 1) || are_all(signs, -1);
   if (!passes && !crosses) return pierce_exactly(index, line, t);
   ++exact::counters().filter;
-  return passes ? Piercing{} : Piercing{Kind::point, signs[0], signs[0]};
+  return passes ? Piercing{} : Piercing{Kind::point, signs[0], signs[0], true};
 }
 
 int parameter_sign(const Index& index, const Line& line, std::uint32_t t, int facing) {

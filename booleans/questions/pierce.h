@@ -26,6 +26,7 @@ struct Piercing {
   Kind kind = Kind::miss;
   int facing = 0;  // of a point: the sign of normal . direction, +1 where the line leaves
   int jump = 0;
+  bool is_inside = false;  // of a point: not on the triangle's edges
 };
 
 Piercing pierce(const Index& index, const Line& line, std::uint32_t triangle);

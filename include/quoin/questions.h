@@ -61,6 +61,13 @@ struct Nearest {
   friend bool operator==(const Nearest&, const Nearest&) = default;
 };
 
+/// How two solids, as closed sets, meet.
+enum class Interference {
+  apart,       // no common point
+  touching,    // common points of their boundaries alone
+  overlapping  // common interior points
+};
+
 /// What a solid weighs at density 1, and where, model units.
 struct MassProperties {
   /// Integrals over the solid of 1, of x, y, z, and of xx, yy, zz, yz, zx, xy. They are additive: those of A and B add
@@ -135,8 +142,14 @@ class QUOIN_API Questions {
   Result<Section> section(const HalfSpace& half_space) const;
 
  private:
+  friend QUOIN_API Result<Interference> interference(const Questions& a, const Questions& b, const Options& run);
   struct Data;
   std::shared_ptr<const Data> data_;
 };
+
+/// Ends with the first faces that cross each other; where faces only touch, or lie on each other, the intersection
+/// tells. Solids of two grids are compared on one of the two. Errors: "inexact-grid" (neither fits the other's),
+/// "cancelled", "inconsistent" (a solid that was trusted wrongly).
+QUOIN_API Result<Interference> interference(const Questions& a, const Questions& b, const Options& run = {});
 
 }  // namespace quoin

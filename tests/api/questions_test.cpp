@@ -157,6 +157,41 @@ TEST(Questions, NearestInModelUnits) {
   EXPECT_FALSE(Questions(Solid::full(Grid())).nearest({0, 0, 0}));
 }
 
+TEST(Questions, Interference) {
+  const auto meet = [](const Solid& a, const Solid& b) {
+    const Questions p(a), q(b);
+    const Interference found = interference(p, q).value();
+    EXPECT_EQ(found, interference(q, p).value());
+    return found;
+  };
+  constexpr auto apart = Interference::apart, touching = Interference::touching,
+                 overlapping = Interference::overlapping;
+  const Solid cube = box({0, 0, 0}, {2, 2, 2});
+  EXPECT_EQ(meet(cube, box({3, 0, 0}, {4, 2, 2})), apart);
+  EXPECT_EQ(meet(cube, box({2, 1, 1}, {4, 5, 5})), touching);        // faces on each other
+  EXPECT_EQ(meet(cube, box({2, 2, 0}, {4, 5, 5})), touching);        // an edge
+  EXPECT_EQ(meet(cube, box({2, 2, 2}, {4, 5, 5})), touching);        // a corner
+  EXPECT_EQ(meet(cube, box({1, 1, 1}, {4, 5, 5})), overlapping);     // they cross
+  EXPECT_EQ(meet(cube, box({-1, -1, -1}, {4, 5, 5})), overlapping);  // one within the other
+  EXPECT_EQ(meet(cube, box({0, 0, 0}, {2, 2, 1})), overlapping);     // within, faces on each other
+  EXPECT_EQ(meet(cube, cube), overlapping);
+  EXPECT_EQ(meet(cube, ~cube), touching);
+  EXPECT_EQ(meet(~cube, ~box({5, 5, 5}, {6, 6, 6})), overlapping);
+  EXPECT_EQ(meet(cube, Solid()), apart);
+  EXPECT_EQ(meet(cube, Solid::full(Grid())), overlapping);
+  EXPECT_EQ(meet(Solid(), Solid::full(Grid())), apart);
+  const Solid shell = box({-9, -9, -9}, {9, 9, 9}) - box({-4, -4, -4}, {4, 4, 4});
+  EXPECT_EQ(meet(cube, shell), apart);  // in its void
+  EXPECT_EQ(meet(cube, shell + box({1, 1, 1}, {4, 4, 4})), overlapping);
+
+  const Solid fine = box({2, .5, .5}, {3, 1, 1}, grid_of("1/2"));
+  EXPECT_EQ(meet(cube, fine), touching);
+  const Solid thirds = Solid::from_triangles(box_mesh({0, 0, 0}, {1, 1, 1}).points, box_mesh({}, {}).triangles,
+                                             Grid::with_step_and_origin("1", {"1/3", "0", "0"}).value())
+                           .value();
+  EXPECT_EQ(meet(cube, thirds), overlapping);
+}
+
 TEST(Questions, MassOfABox) {
   const Grid grid = Grid::with_step_and_origin("1/2", {"1/2", "0", "-3"}).value();
   const Questions questions(box({.5, 0, -3}, {2.5, 3, 1}, grid));
