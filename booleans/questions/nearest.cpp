@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 
 #include "exact/counters.h"
 
@@ -82,7 +83,8 @@ Doubles way_from_triangle(const std::array<Doubles, 3>& c) {
   return best;
 }
 
-/// The search for the nearest point, which narrows as it finds some.
+/// Looks at boxes and triangles in order of lower bounds of their distances, until none can be nearer than what was
+/// found.
 class NearestSearch {
  public:
   NearestSearch(const Index& index, const QueryPoint& from)
@@ -90,17 +92,27 @@ class NearestSearch {
     for (const Interval& x : near_) is_tame_ = is_tame_ && x.low > -0x1p300 && x.high < 0x1p300;
   }
 
+  /// Precondition: there is a boundary.
   Nearest run() {
-    // In cubes about the point, the first as far from it as the box, and as large as a triangle.
-    double reach = first_reach();
-    for (;; reach *= 2) {
-      Box cube = cube_of(reach);
-      const auto of_interest = [&](std::size_t, std::uint32_t, const Box& box) { return is_of_interest(box); };
-      index_.tree().meeting(cube, of_interest, [&](std::uint32_t t) {
-        if (ask(t)) cube = cube_of(std::min(reach, std::sqrt(limit_) * (1 + 0x1p-50)));
-      });
-      if (limit_ < reach * reach * (1 - 0x1p-50) || holds_all(cube_of(reach))) break;
+    const BoxTree& tree = index_.tree();
+    const auto add_nodes = [&](std::size_t level, std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t x = begin; x < std::min(end, tree.node_count(level)); ++x)
+        queue_.push({lower_bound(tree.node_box(level, x)), Step::open, level, x});
+    };
+    const std::size_t top = tree.level_count() - 1;
+    add_nodes(top, 0, tree.node_count(top));
+
+    while (!queue_.empty() && queue_.top().bound <= limit_) {
+      const Candidate c = queue_.top();
+      queue_.pop();
+      if (c.step == Step::measure)
+        measure(c.node);
+      else if (c.level > 0)
+        add_nodes(c.level - 1, c.node * BoxBlock::width, (c.node + 1) * BoxBlock::width);
+      else
+        queue_.push({std::max(c.bound, lower_bound(tree.ids()[c.node])), Step::measure, 0, tree.ids()[c.node]});
     }
+
     auto& faces = best_->faces;
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -108,44 +120,32 @@ class NearestSearch {
   }
 
  private:
-  double first_reach() const {
-    const Box& box = index_.box();
-    double far = 0, extent = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      far = std::max({far, box.low[k] - near_[k].low, near_[k].high - box.high[k]});
-      extent = std::max(extent, double(box.high[k]) - box.low[k]);
-    }
-    return far + std::max(1.0, extent / std::sqrt(double(index_.triangle_count())));
-  }
-  Box cube_of(double reach) const {
-    Box cube;
-    for (std::size_t k = 0; k < 3; ++k) {
-      cube.low[k] = static_cast<std::int32_t>(std::floor(std::clamp(near_[k].low - reach, -0x1p30, 0x1p30))) - 1;
-      cube.high[k] = static_cast<std::int32_t>(std::ceil(std::clamp(near_[k].high + reach, -0x1p30, 0x1p30))) + 1;
-    }
-    return cube;
-  }
-  bool holds_all(const Box& cube) const {
-    const Box& box = index_.box();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (cube.low[k] > box.low[k] || cube.high[k] < box.high[k]) return false;
-    return true;
-  }
+  enum class Step {
+    open,    // a node of the tree
+    measure  // a triangle
+  };
+  struct Candidate {
+    double bound;  // not above its squared distance
+    Step step;
+    std::size_t level;
+    std::uint32_t node;
+    bool operator<(const Candidate& c) const { return bound > c.bound; }
+  };
 
-  bool is_of_interest(const Box& box) const {
-    if (!is_tame_) return true;
+  double lower_bound(const Box& box) const {
+    if (!is_tame_) return 0;
     Interval squared = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double below = (Interval(box.low[k]) - near_[k]).low, above = (near_[k] - Interval(box.high[k])).low;
-      const double gap = std::max({below, above, 0.0});
+      const double gap = std::max({(Interval(box.low[k]) - near_[k]).low, (near_[k] - Interval(box.high[k])).low, 0.0});
       if (gap > 0) squared = squared + Interval(gap) * Interval(gap);
     }
-    return squared.low <= limit_;
+    return squared.low;
   }
 
   /// No point of the triangle is nearer: with g any vector, its points x have |p - x| >= g . (p - x) / |g|, which is
   /// least at a corner.
   double lower_bound(std::uint32_t t) const {
+    if (!is_tame_) return 0;
     std::array<IntervalPoint, 3> seen{IntervalPoint{0, 0, 0}, IntervalPoint{0, 0, 0}, IntervalPoint{0, 0, 0}};
     std::array<Doubles, 3> about{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -164,9 +164,7 @@ class NearestSearch {
     return (Interval(least) * least / squared).low;
   }
 
-  /// Whether the triangle is nearer than what was found before.
-  bool ask(std::uint32_t t) {
-    if (is_tame_ && lower_bound(t) > limit_) return false;
+  void measure(std::uint32_t t) {
     ++exact::counters().rational;
     std::array<RationalPoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -179,17 +177,17 @@ class NearestSearch {
 
     const bool is_equal = best_ && squared == best_->squared_distance;
     if (is_equal && q == best_->point) best_->faces.push_back(index_.face_name(t));
-    if (best_ && (is_equal ? q >= best_->point : squared > best_->squared_distance)) return false;
+    if (best_ && (is_equal ? q >= best_->point : squared > best_->squared_distance)) return;
     limit_ = enclosure(squared).high;
     best_ = Nearest{std::move(squared), std::move(q), {index_.face_name(t)}};
-    return true;
   }
 
   const Index& index_;
   const RationalPoint p_;
   const IntervalPoint near_;
   bool is_tame_;
-  double limit_ = HUGE_VAL;  // not below the squared distance found
+  std::priority_queue<Candidate> queue_;  // the least bound first
+  double limit_ = HUGE_VAL;               // not below the squared distance found
   std::optional<Nearest> best_;
 };
 
