@@ -55,6 +55,7 @@ TEST(Nearest, AgreesWithAllFacesEdgesAndVertices) {
       Body body = solids.next();
       if (random.one_in(2)) body = odd(body, solids.next());
       if (random.one_in(4)) body = complement(body);
+      body = packed(body);
       if (body.face_count() == 0) continue;
       const Index index(body);
       const Canonical form = canonical(body);

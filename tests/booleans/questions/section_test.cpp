@@ -17,6 +17,7 @@ Body bounded_solid(Random& random, Family family) {
   for (;;) {
     Body body = solids.next();
     if (random.one_in(2)) body = odd(body, solids.next());
+    body = packed(body);
     if (body.face_count() > 0) return body;
   }
 }
