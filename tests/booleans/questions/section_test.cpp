@@ -76,10 +76,17 @@ RationalPlace on_plane(Random& random, const Body& body, const IntegerPlane& pla
   return p;
 }
 
+/// Infinitely little above or below.
+RationalPlace beside(const IntegerPlane& plane, const RationalPlace& p, int side) {
+  const Rational hair(side, exact::Integer(exact::Integer(1) << 400));
+  return {Rational(p[0] + plane[0] * hair), Rational(p[1] + plane[1] * hair), Rational(p[2] + plane[2] * hair)};
+}
+
 // What is inside the solid is inside the section; what is outside, or on the boundary with no inside around it in the
 // plane, is not: the winding numbers of the loops agree with the scan of all faces.
 TEST(Section, AgreesWithPointsOfThePlane) {
   std::array<int, 2> seen{};
+  int within = 0;
   for (const Family family : families)
     for (std::uint64_t number = 0; number < case_count(25); ++number) {
       SCOPED_TRACE(std::string(name_of(family)) + " " + case_name(number));
@@ -101,11 +108,15 @@ TEST(Section, AgreesWithPointsOfThePlane) {
         ASSERT_TRUE(*turns == 0 || *turns == 1);
         if (where != 0) {
           ASSERT_EQ(*turns, where > 0 ? 1 : 0);
+        } else if (locate(body, beside(plane, p, 1)) * locate(body, beside(plane, p, -1)) < 0) {
+          ASSERT_EQ(*turns, 0);  // within a face on the plane
+          ++within;
         }
         ++seen[static_cast<std::size_t>(*turns)];
       }
     }
   for (const int count : seen) EXPECT_GT(count, 0);
+  EXPECT_GT(within, 0);
 }
 
 /// From above and from below: each is the other's mirror image, with the same area.
