@@ -44,7 +44,7 @@ Ten<Rational> cones_of_triangles(const Body& body) {
     for (std::size_t k = 0; k < 3; ++k) add_cone(sum[1 + k], determinant, s(k));
     for (std::size_t m = 0; m < 6; ++m) {
       const auto [i, j] = axes_of_moment(m);
-      const auto product = [i, j](const exact::GridPoint& v) { return std::int64_t{v.c[i]} * v.c[j]; };
+      const auto product = [i = i, j = j](const exact::GridPoint& v) { return std::int64_t{v.c[i]} * v.c[j]; };
       add_cone(sum[4 + m], determinant, s(i) * s(j) + product(p) + product(q) + product(r));
     }
   }
