@@ -117,6 +117,9 @@ class BoxTree {
   /// level 0 are items; the tree as a whole is no node.
   std::size_t level_count() const { return levels_.size(); }
   std::uint32_t node_count(std::size_t level) const { return levels_[level].count; }
+  Box node_box(std::size_t level, std::uint32_t x) const {
+    return levels_[level].blocks[x / BoxBlock::width].box(x % BoxBlock::width);
+  }
   /// The pairs of parts of two nodes of one level, not 0, whose boxes meet.
   LanePairs part_pairs(std::size_t level, std::uint32_t x, std::uint32_t y) const {
     const BoxBlock &a = levels_[level - 1].blocks[x], &b = levels_[level - 1].blocks[y];

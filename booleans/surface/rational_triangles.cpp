@@ -17,7 +17,7 @@ RationalPoint normal(const RationalTriangle& t) {
 
 namespace {
 
-RationalPoint rational(const std::array<double, 3>& p) {
+RationalPoint rational_point(const std::array<double, 3>& p) {
   return {exact::to_rational(p[0]), exact::to_rational(p[1]), exact::to_rational(p[2])};
 }
 
@@ -83,7 +83,7 @@ bool meet(const RationalPoint& p, const RationalPoint& q, const RationalTriangle
 }  // namespace
 
 RationalTriangle rational(const std::array<std::array<double, 3>, 3>& t) {
-  return {rational(t[0]), rational(t[1]), rational(t[2])};
+  return {rational_point(t[0]), rational_point(t[1]), rational_point(t[2])};
 }
 
 bool meet_out_of_place(const RationalTriangle& t, const RationalTriangle& u, std::size_t shared) {

@@ -29,6 +29,7 @@
 #include "quoin/motion.h"
 #include "quoin/notice.h"
 #include "quoin/options.h"
+#include "quoin/questions.h"
 #include "quoin/repair.h"
 #include "quoin/report.h"
 #include "quoin/result.h"
