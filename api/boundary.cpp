@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "api/access.h"
+#include "api/labels.h"
 #include "booleans/body/canonical.h"
 #include "booleans/body/measure.h"
 #include "booleans/edges.h"
@@ -27,7 +28,14 @@ std::string text_of(const Number& number) {
 }  // namespace
 
 struct Boundary::Data {
-  Data(const Grid& g, booleans::Boundary&& f, bool proved) : grid(g), form(std::move(f)), is_proved(proved) {}
+  Data(const Solid& s, booleans::Boundary&& f)
+      : grid(s.grid()),
+        form(std::move(f)),
+        is_proved(Access::operand(s).is_proved),
+        labels(public_labels(form.labels.origins.get(), {form.labels.polygons.data(), form.labels.polygons.size()},
+                             form.face_count())) {
+    if (has_labels(s)) labelled_solid = s;
+  }
 
   const booleans::Edges& edges() const {
     return edges_.get([&] { return booleans::edges_of(form); });
@@ -42,6 +50,13 @@ struct Boundary::Data {
   const Grid grid;
   const booleans::Boundary form;
   const bool is_proved;
+  const PublicLabels labels;
+  std::optional<Solid> labelled_solid = {};  // the solid, if it has labels
+
+  /// Its faces by label. Precondition: it has labels.
+  const booleans::LabelledForm& labelled() const {
+    return labelled_.get([&] { return booleans::labelled_form(Access::body(*labelled_solid)); });
+  }
 
  private:
   /// A table that is made when it is first asked for. Not by std::call_once, through which nothing can be thrown where
@@ -69,6 +84,7 @@ struct Boundary::Data {
   MadeOnce<booleans::Edges> edges_;
   MadeOnce<booleans::ShellsOfFaces> shells_;
   MadeOnce<booleans::ShellForest> forest_;
+  MadeOnce<booleans::LabelledForm> labelled_;
 };
 
 Boundary::Boundary() : Boundary(Solid().boundary()) {}
@@ -77,9 +93,10 @@ Boundary::Boundary(const Boundary&) = default;
 Boundary& Boundary::operator=(const Boundary&) = default;
 Boundary::Boundary(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-Boundary Solid::boundary() const {
+Boundary Solid::boundary(Faces faces) const {
   const booleans::Body& body = Access::body(*this);
-  return Boundary(std::make_shared<const Boundary::Data>(grid_, booleans::canonical(body), body.is_proved));
+  booleans::Boundary form = faces == Faces::by_label ? booleans::labelled_boundary(body) : booleans::canonical(body);
+  return Boundary(std::make_shared<const Boundary::Data>(*this, std::move(form)));
 }
 
 const Grid& Boundary::grid() const { return data_->grid; }
@@ -118,6 +135,9 @@ Boundary::Face Boundary::face(std::uint32_t face) const {
   const std::uint32_t first = faces.face_start[face], last = faces.face_start[face + 1];
   return {std::span<const std::uint32_t>(faces.loop_start).subspan(first, last - first + 1), faces.corners_of(face)};
 }
+
+FaceLabel Boundary::label(std::uint32_t face) const { return data_->labels.labels[face]; }
+const std::vector<Original>& Boundary::originals() const { return data_->labels.originals; }
 
 std::array<std::string, 4> Boundary::plane(std::uint32_t face) const {
   const exact::Plane& p = data_->form.planes[face];
@@ -220,6 +240,18 @@ std::uint32_t Boundary::component_count() const {
 
 std::uint32_t Boundary::component_of(std::uint32_t shell) const { return data_->forest().part[shell]; }
 
+namespace {
+
+/// The faces by label of some faces of the canonical form, ascending.
+booleans::Boundary part_by_label(const booleans::LabelledForm& form, std::span<const std::uint32_t> faces) {
+  std::vector<std::uint32_t> own;
+  for (std::uint32_t f = 0; f < form.boundary.face_count(); ++f)
+    if (std::binary_search(faces.begin(), faces.end(), form.whole[f])) own.push_back(f);
+  return booleans::part_of(form.boundary, own);
+}
+
+}  // namespace
+
 Solid Boundary::component(std::uint32_t component) const {
   std::vector<std::uint32_t> faces;
   bool full_at_infinity = !is_bounded();
@@ -232,9 +264,10 @@ Solid Boundary::component(std::uint32_t component) const {
   std::sort(faces.begin(), faces.end());
 
   // Where the others touched it faces and edges become one.
-  booleans::Boundary part = booleans::part_of(data_->form, faces);
+  booleans::Boundary part = data_->labelled_solid && !data_->form.labels ? part_by_label(data_->labelled(), faces)
+                                                                         : booleans::part_of(data_->form, faces);
   part.full_at_infinity = full_at_infinity;
-  booleans::Body body = booleans::body_of(booleans::canonical(booleans::body_of(part)));
+  booleans::Body body = booleans::body_of(booleans::labelled_boundary(booleans::body_of(part)));
   body.is_proved = data_->is_proved;
   return Access::solid(data_->grid, std::move(body));
 }

@@ -209,10 +209,15 @@ Boundary part_of(const Boundary& boundary, std::span<const std::uint32_t> faces)
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 
   Boundary part;
+  part.labels.origins = boundary.labels.origins;
   for (const std::uint32_t v : vertices) part.vertices.push_back(boundary.vertices[v]);
   for (const std::uint32_t f : faces) {
+    if (boundary.labels) part.labels.polygons.push_back(boundary.labels.polygons[f]);
     boundary.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) {
       if (loop.size() == 1 && !std::binary_search(vertices.begin(), vertices.end(), loop[0])) return;
+      const auto begin = static_cast<std::uint32_t>(loop.data() - boundary.faces.corners.data());
+      part.labels.append_borders(boundary.labels, begin, begin + static_cast<std::uint32_t>(loop.size()),
+                                 static_cast<std::uint32_t>(part.faces.corners.size()));
       for (const std::uint32_t v : loop) {
         const auto at = std::lower_bound(vertices.begin(), vertices.end(), v);
         part.faces.corners.push_back(static_cast<std::uint32_t>(at - vertices.begin()));

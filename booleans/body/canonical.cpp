@@ -343,8 +343,7 @@ void add_loops(std::span<const HalfEdge> face, Array<std::uint32_t>& next, const
       if (rank[face[g].from] != none) {
         faces.corners.push_back(rank[face[g].from]);
         if (face[g].flat)
-          flat.push_back(
-              {{static_cast<std::uint32_t>(faces.corners.size() - 1), 0}, static_cast<std::uint32_t>(g)});
+          flat.push_back({{static_cast<std::uint32_t>(faces.corners.size() - 1), 0}, static_cast<std::uint32_t>(g)});
       }
       g = std::exchange(next[g], none);
     }
@@ -371,17 +370,22 @@ void add_borders(std::span<const HalfEdge> face, Array<FlatEdge>& flat, const Di
       const auto at = std::lower_bound(flat.begin(), flat.end(), ends,
                                        [](const FlatEdge& e, const auto& wanted) { return e.ends < wanted; });
       if (at == flat.end() || at->ends != ends) continue;
-      r.labels.borders.push_back({r.faces.loop_start[j] + static_cast<std::uint32_t>(i),
-                                  directions.other_plane(face[at->half_edge])});
+      r.labels.borders.push_back(
+          {r.faces.loop_start[j] + static_cast<std::uint32_t>(i), directions.other_plane(face[at->half_edge])});
     }
   }
 }
 
+/// Faces in the order of their smallest members.
+struct Traced : Boundary {
+  Array<std::uint32_t> smallest;  // of each face
+};
+
 /// The merged faces of which begin .. end - 1 are the smallest members, in this order.
-Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
-                      const Array<Provenance>& names, std::uint32_t begin, std::uint32_t end) {
-  Boundary r;
+Traced traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
+                    std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
+                    const Array<Provenance>& names, std::uint32_t begin, std::uint32_t end) {
+  Traced r;
   DividingDesk desk;
   Array<FlatEdge> flat;
   for (std::uint32_t f = begin; f < end; ++f) {
@@ -401,6 +405,7 @@ Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const Hal
     if (r.faces.loop_count() == first) continue;
     if (r.faces.loop_count() - first > 1) sort_loops(r.faces, first);
     r.planes.push_back(plane);
+    r.smallest.push_back(f);
     r.faces.end_face();
     if (!names.empty()) r.labels.polygons.push_back(names[f]);
     add_borders(face, flat, directions, r);
@@ -415,20 +420,21 @@ void append_labels(Boundary& r, const Boundary& more) {
                           static_cast<std::uint32_t>(r.faces.corners.size()));
 }
 
-/// All merged faces, in the order of their smallest members.
-Boundary traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
-                      std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
-                      const Array<Provenance>& names) {
+/// All merged faces.
+Traced traced_faces(const Body& body, std::span<const HalfEdge> all, const HalfEdges& by_face,
+                    std::span<const PointInFace> points, const Array<std::uint32_t>& rank,
+                    const Array<Provenance>& names) {
   const std::size_t length = grid::long_stretch(body.face_count(), std::size_t{1} << 12);
-  std::vector<Boundary> parts(body.face_count() / length + 1);
+  std::vector<Traced> parts(body.face_count() / length + 1);
   grid::in_stretches(body.face_count(), length, [&](std::size_t s, std::size_t begin, std::size_t end) {
     parts[s] = traced_faces(body, all, by_face, points, rank, names, static_cast<std::uint32_t>(begin),
                             static_cast<std::uint32_t>(end));
   });
 
-  Boundary r = std::move(parts[0]);
+  Traced r = std::move(parts[0]);
   for (std::size_t s = 1; s < parts.size(); ++s) {
     r.planes.insert(r.planes.end(), parts[s].planes.begin(), parts[s].planes.end());
+    r.smallest.insert(r.smallest.end(), parts[s].smallest.begin(), parts[s].smallest.end());
     append_labels(r, parts[s]);
     r.faces.append(parts[s].faces);
   }
@@ -461,8 +467,7 @@ Array<std::uint32_t> ordered_faces(const Boundary& traced) {
   return order;
 }
 
-Boundary in_order(const Boundary& traced) {
-  const Array<std::uint32_t> order = ordered_faces(traced);
+Boundary in_order(const Boundary& traced, const Array<std::uint32_t>& order) {
   Boundary r;
   r.planes.reserve(order.size());
   r.faces.reserve(order.size(), traced.faces.loop_count(), traced.faces.corners.size());
@@ -479,6 +484,15 @@ Boundary in_order(const Boundary& traced) {
   return r;
 }
 
+/// The number in that order of the merged face that each face of the body is a part of.
+Array<std::uint32_t> numbers(grid::Partition& merged, const Traced& traced, const Array<std::uint32_t>& order,
+                             std::size_t face_count) {
+  Array<std::uint32_t> number(face_count, none);
+  for (std::uint32_t i = 0; i < order.size(); ++i) number[traced.smallest[order[i]]] = i;
+  for (std::uint32_t f = 0; f < face_count; ++f) number[f] = number[merged.find(f)];
+  return number;
+}
+
 // 7. What faces carry
 
 /// By the smallest member of a merged face: the first of what its members carry.
@@ -492,8 +506,9 @@ Array<Provenance> merged_names(const Body& body, grid::Partition& merged) {
   return names;
 }
 
-/// All steps. Precondition: the body is packed.
-Boundary boundary_of(const Body& body, bool with_labels) {
+/// All steps. `number`, when given, receives the face of the form that each face of the body is a part of, none where
+/// it is part of none. Precondition: the body is packed.
+Boundary boundary_of(const Body& body, bool with_labels, Array<std::uint32_t>* number = nullptr) {
   HalfEdges by_lower_vertex = half_edges_of(body);
   const std::span<HalfEdge> edges = by_lower_vertex.items();
   grid::Partition merged = merged_faces(body, edges, with_labels);
@@ -507,7 +522,10 @@ Boundary boundary_of(const Body& body, bool with_labels) {
   Array<Provenance> names;
   if (with_labels) names = merged_names(body, merged);
   const HalfEdges by_face = face_edges(edges, merged, body.face_count());
-  Boundary form = in_order(traced_faces(body, edges, by_face, points, rank, names));
+  const Traced traced = traced_faces(body, edges, by_face, points, rank, names);
+  const Array<std::uint32_t> order_of_faces = ordered_faces(traced);
+  Boundary form = in_order(traced, order_of_faces);
+  if (number) *number = numbers(merged, traced, order_of_faces, body.face_count());
   form.full_at_infinity = body.full_at_infinity;
   if (with_labels) form.labels.origins = body.labels.origins;
   form.vertices.resize(order.size());
@@ -528,6 +546,18 @@ Canonical canonical(const Body& body) {
 Boundary labelled_boundary(const Body& body) {
   if (!body.is_packed) return labelled_boundary(packed(body));
   return boundary_of(body, static_cast<bool>(body.labels));
+}
+
+LabelledForm labelled_form(const Body& body) {
+  if (!body.is_packed) return labelled_form(packed(body));
+  Array<std::uint32_t> own, whole;
+  LabelledForm form{boundary_of(body, static_cast<bool>(body.labels), &own), {}};
+  boundary_of(body, false, &whole);
+
+  form.whole.resize(form.boundary.face_count());
+  for (std::size_t f = 0; f < own.size(); ++f)
+    if (own[f] != none) form.whole[own[f]] = whole[f];
+  return form;
 }
 
 CanonicalCounts canonical_counts(const Body& body) {

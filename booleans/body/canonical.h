@@ -29,6 +29,12 @@ Canonical canonical(const Body& body);
 /// between such end or bend, and with labels. What a face carries is the first of what its parts do
 /// (Origins::comes_before). Without labels the canonical form.
 Boundary labelled_boundary(const Body& body);
+/// The same, with the faces of the canonical form that its faces are parts of.
+struct LabelledForm {
+  Boundary boundary;
+  Array<std::uint32_t> whole;
+};
+LabelledForm labelled_form(const Body& body);
 
 /// How much the canonical form has, without making it.
 struct CanonicalCounts {

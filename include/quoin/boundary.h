@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "quoin/grid.h"
+#include "quoin/labels.h"
 #include "quoin/solid.h"
 
 namespace quoin {
@@ -39,7 +40,8 @@ struct ExactPolygons {
 };
 
 /// The boundary of a solid as its canonical form has it (docs/boundary.md): maximal faces, maximal edges, the vertices
-/// that must be. Vertices, edges, faces and shells are numbered from 0 in canonical order: on one grid equal point sets
+/// that must be. With labels (Faces::by_label): faces that are maximal among those that carry the same, with the edges
+/// and vertices between them. Vertices, edges, faces and shells are numbered from 0 in canonical order: on one grid equal point sets
 /// have equal numbers, however they were made.
 ///
 /// A corner is a place in a loop. Corners are numbered through all faces, and stand for the half-edge from their vertex
@@ -96,6 +98,11 @@ class QUOIN_API Boundary {
   std::array<std::string, 4> model_plane(std::uint32_t face) const;
   /// In square model units: the exact area of a projection, rounded, times a factor computed in doubles.
   double area(std::uint32_t face) const;
+
+  /// What a face carries, of a boundary that was asked for with labels; of others it is unlabelled.
+  FaceLabel label(std::uint32_t face) const;
+  /// Those that labels name.
+  const std::vector<Original>& originals() const;
 
   std::uint32_t edge_count() const;
   /// A half-edge at an edge.

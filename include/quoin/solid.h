@@ -61,6 +61,9 @@ enum class Volume { exact, rounded, exact_if_short };
 /// Where a point lies.
 enum class Location { inside, boundary, outside };
 
+/// The faces of a boundary: those of the point set, or cut where what they carry changes (quoin/labels.h).
+enum class Faces { maximal, by_label };
+
 /// A closed regular point set bounded by finitely many plane faces; possibly empty, possibly unbounded.
 class QUOIN_API Solid {
  public:
@@ -118,7 +121,7 @@ class QUOIN_API Solid {
   Location classify(const std::array<double, 3>& point) const;
 
   /// The exact boundary in canonical order (quoin/boundary.h); made anew at each call.
-  Boundary boundary() const;
+  Boundary boundary(Faces faces = Faces::maximal) const;
   /// Triangles, correctly rounded, and mended where that is not valid (ExportOptions::validity). `report` and
   /// `surface`, when given, receive what else there is to say of them.
   /// Errors: "unbounded", "out-of-range", "cancelled".

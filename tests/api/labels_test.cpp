@@ -335,6 +335,50 @@ TEST(Labels, FacesOfACanonicalFormCanBeNamed) {
   EXPECT_EQ(found.size(), faces);
 }
 
+// Components keep what their faces carry, whichever boundary is asked; they and their order are those of the point set.
+TEST(Labels, ComponentsKeepThem) {
+  std::mt19937_64 random = random_engine();
+  for (int round = 0; round < 40; ++round) {
+    Solid solid;
+    for (std::size_t i = 0; i < 3; ++i) solid = solid ^ random_piece(random, i).solid;
+    const std::vector<Solid> parts = solid.boundary().components(), same = solid.boundary(Faces::by_label).components(),
+                             plain = unlabelled(solid).boundary().components();
+    ASSERT_EQ(parts.size(), plain.size());
+    ASSERT_EQ(parts.size(), same.size());
+    Solid all;
+    std::map<std::string, double> sum;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      EXPECT_TRUE(parts[i] == plain[i]);
+      all = all + parts[i];
+      for (const auto& [name, area] : areas(parts[i])) sum[name] += area;
+      EXPECT_EQ(std::count_if(same.begin(), same.end(), [&](const Solid& s) { return same_faces(s, parts[i]); }), 1);
+    }
+    EXPECT_TRUE(same_faces(all, solid));
+    EXPECT_EQ(sum, areas(solid));
+  }
+}
+
+TEST(Labels, AreOnTheFacesOfABoundary) {
+  const Solid two = labelled_box({0, 0, 0}, {1, 1, 1}, {7, "a"}) + labelled_box({1, 0, 0}, {2, 1, 1}, {8, "b"});
+  const Boundary plain = two.boundary(), labelled = two.boundary(Faces::by_label);
+  EXPECT_EQ(plain.face_count(), 6u);
+  EXPECT_EQ(plain.label(0).original, FaceLabel::unlabelled);
+  ASSERT_EQ(labelled.face_count(), 10u);
+  EXPECT_EQ(labelled.vertex_count(), 12u);
+  EXPECT_EQ(labelled.edge_count(), 20u);
+  EXPECT_EQ(labelled.shell_count(), 1u);
+  EXPECT_EQ(labelled.originals(), (std::vector<Original>{{7, "a"}, {8, "b"}}));
+  std::array<int, 2> faces{};
+  for (std::uint32_t f = 0; f < labelled.face_count(); ++f) {
+    const std::uint32_t original = labelled.label(f).original;
+    ASSERT_LT(original, 2u);
+    ++faces[original];
+    for (const std::uint32_t v : labelled.face(f).loop(0))
+      EXPECT_TRUE(original == 0 ? labelled.point(v)[0] <= 1 : labelled.point(v)[0] >= 1);
+  }
+  EXPECT_EQ(faces, (std::array{5, 5}));
+}
+
 // Mended exports: a triangle carries what the exact face at its place does.
 TEST(Labels, MendedExportsCarryThem) {
   const Mesh noisy = examples::bumpy_sphere({50000, 0, 0}, 1, 3000, 5),
