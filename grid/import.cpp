@@ -252,9 +252,8 @@ std::uint64_t edge_count(const Array<OpenEdge>& open) {
 bool seal_exactly(ImportedMesh& mesh) {
   Array<Triangle> triangles = mesh.triangles;
   Sources sources = mesh.sources;
-  drop_triangles(triangles, sources, [&](const Triangle& t) {
-    return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  });
+  drop_triangles(triangles, sources,
+                 [&](const Triangle& t) { return collinear(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]); });
   // Closed by this alone it is not: triangles without area count in the proof.
   if (is_balanced(corners_of(triangles), mesh.points.size())) return false;
   const std::uint64_t sealed = seal_t_junctions(mesh.points, triangles, sources, Pairing::opposite);

@@ -70,10 +70,12 @@ void check(const Arrangement& a) {
 
 namespace {
 
-/// Each face carries something, and edges between polygons on one plane are listed as borders, with planes through them.
+/// Each face carries something, and edges between polygons on one plane are listed as borders, with planes through
+/// them.
 void check_labels(const Body& body) {
   const Labels& labels = body.labels;
-  if (!labels) return require(labels.triangles.empty() && labels.polygons.empty() && labels.borders.empty(), "no labels");
+  if (!labels)
+    return require(labels.triangles.empty() && labels.polygons.empty() && labels.borders.empty(), "no labels");
   require(labels.triangles.size() == body.triangles.size() && labels.polygons.size() == body.polygon_count(),
           "every face carries something");
   const auto is_origin = [&](const Provenance& p) { return p.origin() < labels.origins->size(); };

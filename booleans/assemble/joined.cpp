@@ -3,12 +3,12 @@
 namespace quoin::booleans {
 namespace {
 
-/// By corner of some loops: another plane through the edge that begins there, if it is a border; or nothing, where there
-/// are no labels.
+/// By corner of some loops: another plane through the edge that begins there, if it is a border; or nothing, where
+/// there are no labels.
 using EdgeLines = std::span<const exact::Plane* const>;
 
-/// Tells each vertex on a loop of at least two corners its neighbours there, and those at which a border bends that they
-/// are needed.
+/// Tells each vertex on a loop of at least two corners its neighbours there, and those at which a border bends that
+/// they are needed.
 template <class Corner>
 void note_neighbours(ResultVertices& vertices, const grid::Loops<Corner>& loops, EdgeLines lines) {
   for (std::size_t j = 0; j < loops.loop_count(); ++j) {
@@ -147,8 +147,8 @@ class Writer {
   }
 
   Making& m_;
-  Array<ResultName> corners_;  // of one face
-  Array<std::size_t> ends_;    // of its loops
+  Array<ResultName> corners_;         // of one face
+  Array<std::size_t> ends_;           // of its loops
   Array<const exact::Plane*> lines_;  // with labels: as Regions::lines
 };
 

@@ -70,8 +70,8 @@ class Merger {
   /// Another face goes on behind it on this plane.
   bool is_border(std::uint32_t h) const { return is_flat(h) || is_border_[h / 2] != 0; }
   bool is_same_surface(std::uint32_t h) const {
-    return !has_labels_ || a_.operands.origins->is_same_surface(names_[sheet_->facet[h].value],
-                                                                names_[sheet_->facet[h ^ 1].value]);
+    return !has_labels_ ||
+           a_.operands.origins->is_same_surface(names_[sheet_->facet[h].value], names_[sheet_->facet[h ^ 1].value]);
   }
   /// A flat element vanishes, unless the facets carry something different.
   Part part_of(std::uint32_t h) const {
@@ -201,8 +201,8 @@ class Merger {
   Array<VertexId> corners_;
   const bool has_labels_;
   const std::uint8_t* is_border_ = nullptr;  // of the sheet's elements
-  Array<Provenance> names_;           // of kept facets; at the root of a group that of all of it
-  Array<const exact::Plane*> lines_;  // by corner, as Regions::lines
+  Array<Provenance> names_;                  // of kept facets; at the root of a group that of all of it
+  Array<const exact::Plane*> lines_;         // by corner, as Regions::lines
 };
 
 }  // namespace

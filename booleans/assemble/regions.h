@@ -29,8 +29,8 @@ struct Regions {
   std::size_t size() const { return planes.size(); }
 };
 
-/// Kept facets of each sheet that carry the same and hang together over elements at which exactly two kept facets meet. A loop of one
-/// corner is a vertex inside the region. Regions come in the order of the sheets, list by list.
+/// Kept facets of each sheet that carry the same and hang together over elements at which exactly two kept facets meet.
+/// A loop of one corner is a vertex inside the region. Regions come in the order of the sheets, list by list.
 Array<Regions> merged_regions(const Arrangement& a, const Selection& selection);
 
 }  // namespace quoin::booleans

@@ -50,8 +50,7 @@ Body body_of(const Boundary& boundary) {
     if (boundary.labels) {
       const auto [begin, end] = boundary.faces.corner_range(f);
       body.labels.polygons.push_back(boundary.labels.polygons[f]);
-      body.labels.append_borders(boundary.labels, begin, end,
-                                 static_cast<std::uint32_t>(body.polygons.corners.size()));
+      body.labels.append_borders(boundary.labels, begin, end, static_cast<std::uint32_t>(body.polygons.corners.size()));
     }
     boundary.faces.for_loops(f, [&](std::span<const std::uint32_t> loop) {
       for (const std::uint32_t v : loop) body.polygons.corners.push_back(id[v]);

@@ -24,7 +24,8 @@ struct Boundary {
 /// Is a face one triangle between grid points?
 bool is_raw(const Boundary& boundary, std::size_t face);
 
-/// The body with these faces and labels; triangles between grid points become raw, the others are polygons in their order.
+/// The body with these faces and labels; triangles between grid points become raw, the others are polygons in their
+/// order.
 Body body_of(const Boundary& boundary);
 /// The boundary's face that each face of that body is.
 std::vector<std::uint32_t> faces_in_order_of_body(const Boundary& boundary);

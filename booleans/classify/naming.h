@@ -13,8 +13,8 @@ namespace quoin::booleans {
 ///
 /// A leaf of the expression changes at a facet where its value in front differs from that behind; it is named by the
 /// first of its faces there that look the way of the change. An inner node whose value changes is named by the first of
-/// its children that change (Origins::comes_before). So a face names what it bounds alone, whatever else lies there; and
-/// groups of children of a union or an intersection may be evaluated by themselves.
+/// its children that change (Origins::comes_before). So a face names what it bounds alone, whatever else lies there;
+/// and groups of children of a union or an intersection may be evaluated by themselves.
 class Naming {
  public:
   /// Precondition: some operand has labels.
@@ -27,7 +27,7 @@ class Naming {
  private:
   struct Node {
     bool front, back;
-    TouchedId name;           // of the change
+    TouchedId name;  // of the change
     std::uint32_t children, true_front, true_back;
   };
   /// What the covers of one operand do.

@@ -56,7 +56,8 @@ std::int64_t Surface::area(const Triangle& t) const {
 }
 
 void Surface::drop_flat() {
-  drop_triangles(triangles, sources, [&](const Triangle& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
+  drop_triangles(triangles, sources,
+                 [&](const Triangle& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
 }
 
 std::uint64_t Surface::seal() {

@@ -41,8 +41,8 @@ struct ExactPolygons {
 
 /// The boundary of a solid as its canonical form has it (docs/boundary.md): maximal faces, maximal edges, the vertices
 /// that must be. With labels (Faces::by_label): faces that are maximal among those that carry the same, with the edges
-/// and vertices between them. Vertices, edges, faces and shells are numbered from 0 in canonical order: on one grid equal point sets
-/// have equal numbers, however they were made.
+/// and vertices between them. Vertices, edges, faces and shells are numbered from 0 in canonical order: on one grid
+/// equal point sets have equal numbers, however they were made.
 ///
 /// A corner is a place in a loop. Corners are numbered through all faces, and stand for the half-edge from their vertex
 /// to that of the next corner of their loop; a loop of one corner, a vertex inside its face, has no half-edge.
