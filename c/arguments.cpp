@@ -138,6 +138,12 @@ Importing::Importing(const quoin_import_options* given) : given_(taken(given, "o
   options_.trust = enumerator<Trust>(given_.trust, 2, "options.trust");
   options_.run = run_.options();
   if (given_.repair) options_.repair = Repair::parse(given_.repair).value();
+
+  if (given_.labels.count > 0) options_.labels = indices(given_.labels, labels_, "options.labels");
+  options_.id = given_.id;
+  if (given_.name) options_.name = given_.name;
+  if (given_.channels.count > 0) options_.channels = coordinates(given_.channels, "options.channels");
+  if (given_.channel_tolerance != 0) options_.channel_tolerance = given_.channel_tolerance;
 }
 
 Exporting::Exporting(const quoin_export_options* given) : given_(taken(given, "options")), run_(given_.run) {

@@ -123,6 +123,30 @@ quoin_code quoin_boundary_model_plane(const quoin_boundary* boundary, uint32_t f
   });
 }
 
+quoin_code quoin_solid_boundary_by_label(const quoin_solid* solid, quoin_boundary** out, quoin_error* error) {
+  return guarded(out, error, [&] {
+    demand(solid, "solid");
+    *out = new quoin_boundary{solid->value.boundary(quoin::Faces::by_label)};
+  });
+}
+
+quoin_code quoin_boundary_label(const quoin_boundary* boundary, uint32_t face, quoin_face_label* out,
+                                quoin_error* error) {
+  return at(boundary, face, &Boundary::face_count, "face", out, error,
+            [&](const Boundary& b) { *out = face_label(b.label(face)); });
+}
+
+quoin_code quoin_boundary_original(const quoin_boundary* boundary, uint32_t original, uint32_t* id, const char** name,
+                                   quoin_error* error) {
+  if (name) *name = nullptr;
+  return guarded(id, error, [&] {
+    demand(boundary, "boundary");
+    demand_below(original, boundary->value.originals().size(), "original");
+    *id = boundary->value.originals()[original].id;
+    if (name) *name = boundary->value.originals()[original].name.c_str();
+  });
+}
+
 quoin_code quoin_boundary_face_area(const quoin_boundary* boundary, uint32_t face, double* out, quoin_error* error) {
   return at(boundary, face, &Boundary::face_count, "face", out, error, [&](const Boundary& b) { *out = b.area(face); });
 }

@@ -16,8 +16,9 @@ struct quoin_solid {
   quoin::Solid value;
 };
 struct quoin_mesh {
-  quoin::Mesh value;
+  quoin::LabelledMesh value;
   std::vector<float> float32;
+  std::vector<quoin_face_label> labels;
 };
 struct quoin_boundary {
   quoin::Boundary value;
@@ -57,6 +58,7 @@ class Importing {
  private:
   quoin_import_options given_;
   Running run_;
+  std::vector<std::uint32_t> labels_;  // what had 64 bits
   ImportOptions options_;
 };
 
@@ -65,6 +67,7 @@ class Exporting {
  public:
   explicit Exporting(const quoin_export_options* given);
   const ExportOptions& options() const { return options_; }
+  bool wants_labels() const { return given_.labels != 0; }
 
  private:
   quoin_export_options given_;
@@ -97,6 +100,8 @@ std::array<std::string, N> texts(const char* const* given, const char* where) {
 
 /// So many solids, none of them NULL.
 std::vector<Solid> solids(const quoin_solid* const* given, std::size_t count, const char* where);
+
+inline quoin_face_label face_label(const FaceLabel& l) { return {l.original, l.label, l.source, l.turned ? 1 : 0}; }
 
 inline Grid grid_or_default(const quoin_grid* grid) { return grid ? grid->value : Grid(); }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <string>
 
+#include <memory>
+
 #include "c/handles.h"
 
 using namespace quoin::c;
@@ -218,13 +220,17 @@ quoin_code quoin_solid_to_triangles(const quoin_solid* solid, const quoin_export
     demand_size(report, "report");
     const Exporting exporting(options);
     quoin::ExportReport said;
-    auto mesh = solid->value.to_triangles(exporting.options(), &said);
+    auto mesh = std::make_unique<quoin_mesh>();
+    if (exporting.wants_labels())
+      mesh->value = to_labelled_triangles(solid->value, exporting.options(), &said).value();
+    else
+      static_cast<quoin::Mesh&>(mesh->value) = solid->value.to_triangles(exporting.options(), &said).value();
     give(said, report);
 
-    const auto& points = mesh.value().points;
-    std::vector<float> float32;
-    if (exporting.options().float32) float32.assign(points.begin(), points.end());
-    *out = new quoin_mesh{std::move(mesh).value(), std::move(float32)};
+    const auto& points = mesh->value.points;
+    if (exporting.options().float32) mesh->float32.assign(points.begin(), points.end());
+    for (const quoin::FaceLabel& l : mesh->value.labels) mesh->labels.push_back(face_label(l));
+    *out = mesh.release();
   });
 }
 
@@ -235,3 +241,56 @@ const float* quoin_mesh_points_float32(const quoin_mesh* mesh) {
   return mesh && !mesh->float32.empty() ? mesh->float32.data() : nullptr;
 }
 const uint32_t* quoin_mesh_triangles(const quoin_mesh* mesh) { return mesh ? mesh->value.triangles.data() : nullptr; }
+
+const quoin_face_label* quoin_mesh_labels(const quoin_mesh* mesh) {
+  return mesh && !mesh->labels.empty() ? mesh->labels.data() : nullptr;
+}
+size_t quoin_mesh_original_count(const quoin_mesh* mesh) { return mesh ? mesh->value.originals.size() : 0; }
+
+quoin_code quoin_mesh_original(const quoin_mesh* mesh, uint32_t original, uint32_t* id, const char** name,
+                               quoin_error* error) {
+  if (name) *name = nullptr;
+  return guarded(id, error, [&] {
+    demand(mesh, "mesh");
+    demand_below(original, mesh->value.originals.size(), "original");
+    *id = mesh->value.originals[original].id;
+    if (name) *name = mesh->value.originals[original].name.c_str();
+  });
+}
+
+size_t quoin_mesh_channel_count(const quoin_mesh* mesh) { return mesh ? mesh->value.channel_count : 0; }
+const double* quoin_mesh_channels(const quoin_mesh* mesh) {
+  return mesh && !mesh->value.channels.empty() ? mesh->value.channels.data() : nullptr;
+}
+
+quoin_code quoin_solid_labelled(const quoin_solid* solid, uint32_t id, const char* name, quoin_array labels,
+                                quoin_solid** out, quoin_error* error) {
+  return guarded(out, error, [&] {
+    demand(solid, "solid");
+    std::vector<std::uint32_t> room;
+    const quoin::Indices list = labels.count > 0 ? indices(labels, room, "labels") : quoin::Indices();
+    *out = new quoin_solid{labelled(solid->value, {id, name ? name : ""}, list).value()};
+  });
+}
+
+quoin_code quoin_solid_unlabelled(const quoin_solid* solid, quoin_solid** out, quoin_error* error) {
+  return guarded(out, error, [&] {
+    demand(solid, "solid");
+    *out = new quoin_solid{unlabelled(solid->value)};
+  });
+}
+
+quoin_code quoin_solid_has_labels(const quoin_solid* solid, int* out, quoin_error* error) {
+  return guarded(out, error, [&] {
+    demand(solid, "solid");
+    *out = has_labels(solid->value) ? 1 : 0;
+  });
+}
+
+quoin_code quoin_same_faces(const quoin_solid* a, const quoin_solid* b, int* out, quoin_error* error) {
+  return guarded(out, error, [&] {
+    demand(a, "a");
+    demand(b, "b");
+    *out = same_faces(a->value, b->value) ? 1 : 0;
+  });
+}

@@ -221,6 +221,14 @@ typedef struct quoin_import_options {
   /** Cures as the command's --repair has them: "weld=0.002,caps", "all". NULL: none. */
   const char* repair;
   const quoin_options* run;
+  /** What faces carry (docs/attributes.md), all or nothing: a label for each triangle or polygon, whole; the solid's
+      name, of which NULL is the empty one; numbers for each corner, floating, so many for each. */
+  quoin_array labels;
+  uint32_t id;
+  const char* name;
+  quoin_array channels;
+  /** Of the range of a channel; 0: 2^-20. */
+  double channel_tolerance;
 } quoin_import_options;
 
 /** quoin/import.h, ImportReport. */
@@ -262,6 +270,8 @@ typedef struct quoin_export_options {
   /** Other than 0: round to float32; subtract the box's centre. */
   int float32, recentre;
   const quoin_options* run;
+  /** Other than 0: the mesh says what its triangles carry. */
+  int labels;
 } quoin_export_options;
 
 /** quoin/triangles.h, ExportReport. */
@@ -434,12 +444,47 @@ QUOIN_C_API const double* quoin_mesh_points(const quoin_mesh* mesh);
 QUOIN_C_API const float* quoin_mesh_points_float32(const quoin_mesh* mesh);
 QUOIN_C_API const uint32_t* quoin_mesh_triangles(const quoin_mesh* mesh);
 
+/* What faces carry (docs/attributes.md) */
+
+/** quoin/labels.h, FaceLabel. `original` is QUOIN_NONE of a face that carries nothing. */
+typedef struct quoin_face_label {
+  uint32_t original, label, source;
+  int32_t turned;
+} quoin_face_label;
+
+/** One per triangle; NULL where the export was not asked for them. */
+QUOIN_C_API const quoin_face_label* quoin_mesh_labels(const quoin_mesh* mesh);
+/** The solids that labels name. `name` may be NULL; it lives as long as the mesh. */
+QUOIN_C_API size_t quoin_mesh_original_count(const quoin_mesh* mesh);
+QUOIN_C_API quoin_code quoin_mesh_original(const quoin_mesh* mesh, uint32_t original, uint32_t* id, const char** name,
+                                           quoin_error* error);
+/** Channels of each corner of each triangle, so many numbers for each corner; NULL where there are none. */
+QUOIN_C_API size_t quoin_mesh_channel_count(const quoin_mesh* mesh);
+QUOIN_C_API const double* quoin_mesh_channels(const quoin_mesh* mesh);
+
+/** `labels`: one for each face of the canonical form, in its order, or none. */
+QUOIN_C_API quoin_code quoin_solid_labelled(const quoin_solid* solid, uint32_t id, const char* name, quoin_array labels,
+                                            quoin_solid** out, quoin_error* error);
+QUOIN_C_API quoin_code quoin_solid_unlabelled(const quoin_solid* solid, quoin_solid** out, quoin_error* error);
+/** 1 or 0: is any face labelled; do equal point sets carry the same everywhere? */
+QUOIN_C_API quoin_code quoin_solid_has_labels(const quoin_solid* solid, int* out, quoin_error* error);
+QUOIN_C_API quoin_code quoin_same_faces(const quoin_solid* a, const quoin_solid* b, int* out, quoin_error* error);
+
 /* The exact boundary (docs/boundary.md) */
 
 /** Where there is no such edge, half-edge or shell. */
 #define QUOIN_NONE UINT32_MAX
 
 QUOIN_C_API quoin_code quoin_solid_boundary(const quoin_solid* solid, quoin_boundary** out, quoin_error* error);
+/** Its faces cut where what they carry changes. */
+QUOIN_C_API quoin_code quoin_solid_boundary_by_label(const quoin_solid* solid, quoin_boundary** out,
+                                                     quoin_error* error);
+/** Of a boundary by label. */
+QUOIN_C_API quoin_code quoin_boundary_label(const quoin_boundary* boundary, uint32_t face, quoin_face_label* out,
+                                            quoin_error* error);
+/** As quoin_mesh_original. */
+QUOIN_C_API quoin_code quoin_boundary_original(const quoin_boundary* boundary, uint32_t original, uint32_t* id,
+                                               const char** name, quoin_error* error);
 
 typedef struct quoin_boundary_counts {
   size_t size;

@@ -500,6 +500,97 @@ static void test_triangles(void) {
   quoin_solid_free(again);
 }
 
+static void test_labels(void) {
+  double low[24], high[24];
+  const uint64_t labels[12] = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
+  double channels[36];
+  box_points(0, 4, low);
+  box_points(1, 5, high);
+  for (int i = 0; i < 36; ++i) channels[i] = low[3 * box_triangles[i]] + 10 * low[3 * box_triangles[i] + 1];
+
+  const quoin_array points = {low, 24, QUOIN_FLOAT64}, others = {high, 24, QUOIN_FLOAT64},
+                    triangles = {box_triangles, 36, QUOIN_UINT32};
+  quoin_import_options options = QUOIN_INIT(quoin_import_options);
+  quoin_solid *a = NULL, *b = NULL, *part = NULL, *plain = NULL, *named = NULL;
+  quoin_grid* grid = NULL;
+  DONE(quoin_grid_with_step("1", NULL, &grid, &error));
+  options.grid = grid;
+  options.labels = (quoin_array){labels, 12, QUOIN_UINT64};
+  options.id = 7;
+  options.name = "box";
+  options.channels = (quoin_array){channels, 36, QUOIN_FLOAT64};
+  DONE(quoin_solid_from_triangles(points, triangles, &options, NULL, &a, &error));
+  options.labels.count = 11;
+  REFUSED(quoin_solid_from_triangles(points, triangles, &options, NULL, &b, &error), QUOIN_BAD_INDEX, "face 11");
+  quoin_import_options bare = QUOIN_INIT(quoin_import_options);
+  bare.grid = grid;
+  bare.id = 8;
+  DONE(quoin_solid_from_triangles(others, triangles, &bare, NULL, &b, &error));
+
+  const quoin_solid* knives[1] = {b};
+  DONE(quoin_difference(a, knives, 1, NULL, NULL, &part, &error));
+  quoin_mesh* mesh = NULL;
+  quoin_export_options as = QUOIN_INIT(quoin_export_options);
+  DONE(quoin_solid_to_triangles(part, &as, NULL, &mesh, &error));
+  CHECK(quoin_mesh_labels(mesh) == NULL && quoin_mesh_channels(mesh) == NULL && quoin_mesh_original_count(mesh) == 0);
+  quoin_mesh_free(mesh);
+  as.labels = 1;
+  DONE(quoin_solid_to_triangles(part, &as, NULL, &mesh, &error));
+  CHECK(quoin_mesh_original_count(mesh) == 2 && quoin_mesh_channel_count(mesh) == 1);
+  uint32_t id = 0, seen = 0, turned = 0;
+  const char* name = NULL;
+  DONE(quoin_mesh_original(mesh, 0, &id, &name, &error));
+  CHECK(id == 7 && strcmp(name, "box") == 0);
+  DONE(quoin_mesh_original(mesh, 1, &id, NULL, &error));
+  CHECK(id == 8);
+  REFUSED(quoin_mesh_original(mesh, 2, &id, &name, &error), QUOIN_BAD_ARGUMENT, "original");
+  for (size_t t = 0; t < quoin_mesh_triangle_count(mesh); ++t) {
+    const quoin_face_label* l = quoin_mesh_labels(mesh) + t;
+    CHECK(l->original < 2 && l->turned == (l->original == 1));
+    turned += (uint32_t)l->turned;
+    if (l->original == 1) continue;
+    seen |= 1u << l->label;
+    for (size_t i = 3 * t; i < 3 * t + 3; ++i) {
+      const double* p = quoin_mesh_points(mesh) + 3 * quoin_mesh_triangles(mesh)[i];
+      CHECK(quoin_mesh_channels(mesh)[i] == p[0] + 10 * p[1]);
+    }
+  }
+  CHECK(seen == 63 && turned == 6);
+  quoin_mesh_free(mesh);
+
+  quoin_boundary* boundary = NULL;
+  quoin_boundary_counts counts = QUOIN_INIT(quoin_boundary_counts);
+  DONE(quoin_solid_boundary_by_label(part, &boundary, &error));
+  DONE(quoin_boundary_count(boundary, &counts, &error));
+  CHECK(counts.faces == 9);
+  for (uint32_t f = 0; f < counts.faces; ++f) {
+    quoin_face_label label;
+    DONE(quoin_boundary_label(boundary, f, &label, &error));
+    DONE(quoin_boundary_original(boundary, label.original, &id, &name, &error));
+    CHECK(label.turned == (id == 8) && strcmp(name, id == 7 ? "box" : "") == 0);
+  }
+  quoin_boundary_free(boundary);
+
+  int yes = 0;
+  DONE(quoin_solid_has_labels(part, &yes, &error));
+  CHECK(yes == 1);
+  DONE(quoin_solid_unlabelled(part, &plain, &error));
+  DONE(quoin_solid_has_labels(plain, &yes, &error));
+  CHECK(yes == 0 && same(plain, part));
+  DONE(quoin_same_faces(plain, part, &yes, &error));
+  CHECK(yes == 0);
+  const uint32_t faces[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  DONE(quoin_solid_labelled(plain, 3, NULL, (quoin_array){faces, 9, QUOIN_UINT32}, &named, &error));
+  DONE(quoin_same_faces(named, named, &yes, &error));
+  CHECK(yes == 1);
+  quoin_solid_free(a);
+  quoin_solid_free(b);
+  quoin_solid_free(part);
+  quoin_solid_free(plain);
+  quoin_solid_free(named);
+  quoin_grid_free(grid);
+}
+
 static void test_motions(void) {
   const char* const axis[3] = {"0", "0", "1"};
   const char* const by[3] = {"1", "1/2", "0"};
@@ -780,6 +871,7 @@ int main(int argc, char** argv) {
   test_answers();
   test_text_and_files();
   test_triangles();
+  test_labels();
   test_motions();
   test_models();
   test_boundary();
