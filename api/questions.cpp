@@ -23,10 +23,11 @@ struct Questions::Data {
   booleans::ModelFrame frame;
   booleans::Index index;
 
-  explicit Data(const Solid& s) : solid(s), frame(Access::lattice(solid)), index(Access::body(solid)) {}
+  Data(const Solid& s, Faces faces)
+      : solid(s), frame(Access::lattice(solid)), index(Access::body(solid), faces == Faces::by_label) {}
 };
 
-Questions::Questions(const Solid& solid) : data_(std::make_shared<const Data>(solid)) {}
+Questions::Questions(const Solid& solid, Faces faces) : data_(std::make_shared<const Data>(solid, faces)) {}
 Questions::~Questions() = default;
 Questions::Questions(const Questions&) = default;
 Questions::Questions(Questions&&) noexcept = default;

@@ -14,10 +14,10 @@ Box triangle_box_in(const Body& body, const std::array<std::uint32_t, 3>& corner
 
 }  // namespace
 
-Index::Index(const Body& body) : tree_({}) {
-  const Canonical form = canonical(body);
+Index::Index(const Body& body, bool by_label) : tree_({}) {
+  const Boundary form = by_label ? labelled_boundary(body) : canonical(body);
   body_ = body_of(form);
-  canonical_number_ = faces_in_order_of_body(form);
+  number_ = faces_in_order_of_body(form);
 
   Triangulated triangles = triangulated(body_);
   face_ = std::move(triangles.face);

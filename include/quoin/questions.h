@@ -33,7 +33,8 @@ struct Contact {
   /// Where the points just before and just behind it lie: boundary where the solid's boundary goes on beyond the end of
   /// the ray or segment. The line crosses the boundary where they differ, else it touches it.
   Location before, behind;
-  /// All faces that it meets, their edges and corners included: numbers in canonical order (docs/format.md), ascending.
+  /// All faces that it meets, their edges and corners included, ascending: numbers of the solid's boundary
+  /// (quoin/boundary.h), in canonical order.
   std::vector<std::uint32_t> faces;
   friend bool operator==(const Contact&, const Contact&) = default;
 };
@@ -105,7 +106,9 @@ class QUOIN_API Questions {
   /// Three numbers in text, model units: each a decimal or rational, taken exactly as doubles are.
   using Numbers = std::array<std::string, 3>;
 
-  explicit Questions(const Solid& solid);
+  /// `faces`: which boundary's numbers answers name faces by. By label these lead to what a face carries
+  /// (Boundary::label), and polygons of sections have corners where labels change; nothing else is different.
+  explicit Questions(const Solid& solid, Faces faces = Faces::maximal);
   ~Questions();
   Questions(const Questions&);
   Questions(Questions&&) noexcept;

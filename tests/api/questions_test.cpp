@@ -265,5 +265,37 @@ TEST(Questions, UnboundedAndEmpty) {
   EXPECT_EQ(p.contacts[1].behind, in);
 }
 
+// By label answers are the same, and name faces that carry something.
+TEST(Questions, ByLabel) {
+  auto random = random_engine();
+  for (int round = 0; round < 30; ++round) {
+    std::vector<Solid> pieces;
+    for (std::uint32_t i = 0; i < 2; ++i)
+      pieces.push_back(labelled(random_tetrahedron(random, 4), {i, "piece"}).value());
+    const Solid solid = pieces[0] + pieces[1];
+    const Questions plain(solid), by_label(solid, Faces::by_label);
+    const Boundary boundary = solid.boundary(Faces::by_label);
+    EXPECT_EQ(plain.mass_properties(), by_label.mass_properties());
+    for (int k = 0; k < 20; ++k) {
+      const auto coordinate = [&] { return static_cast<double>(random() % 21) / 2 - 5; };
+      const Corner from{coordinate(), coordinate(), coordinate()}, direction{coordinate(), coordinate(), 1};
+      const Passage a = plain.ray(from, direction).value(), b = by_label.ray(from, direction).value();
+      ASSERT_EQ(times(a).begin, times(b).begin);
+      ASSERT_EQ(times(a).end, times(b).end);
+      for (const Contact& c : b.contacts)
+        for (const std::uint32_t f : c.faces) {
+          const FaceLabel label = boundary.label(f);
+          ASSERT_LT(label.original, boundary.originals().size());
+          const Solid& piece = pieces[boundary.originals()[label.original].id];
+          // The contact is on the piece that its face comes from.
+          const Passage own = Questions(piece).ray(from, direction).value();
+          EXPECT_TRUE(std::any_of(own.contacts.begin(), own.contacts.end(), [&](const Contact& o) {
+            return o.begin.rounded <= c.end.rounded && o.end.rounded >= c.begin.rounded;
+          })) << round;
+        }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace quoin::api_test
