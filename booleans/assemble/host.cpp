@@ -93,12 +93,9 @@ void keep_labels(Making& m) {
     std::ranges::fill(labels.polygons.grow(m.body.planes.size()), Provenance(number[0], 0));
     return;
   }
-  for (std::uint32_t i = 0; i < number.size(); ++i) {
-    if (number[i] == i) continue;
-    rename(labels.triangles, number);
-    rename(labels.polygons, number);
-    return;
-  }
+  if (number.empty()) return;
+  rename(labels.triangles, number);
+  rename(labels.polygons, number);
 }
 
 void keep_host(Making& m) {

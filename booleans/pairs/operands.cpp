@@ -3,14 +3,20 @@
 namespace quoin::booleans {
 namespace {
 
-/// The numbers of a body's origins among others that hold them.
+/// The numbers of a body's origins among others that hold them; nothing where they are the same.
 Array<std::uint32_t> places_of_origins(const Body& body, const Origins& all) {
   if (!body.labels) return {all.find(nullptr)};
   const Origins& own = *body.labels.origins;
+  if (&own == &all) return {};
+
   Array<std::uint32_t> places;
   places.reserve(own.size());
-  for (std::uint32_t i = 0; i < own.size(); ++i)
+  bool are_same = true;
+  for (std::uint32_t i = 0; i < own.size(); ++i) {
     places.push_back(i < all.size() && all[i] == own[i] ? i : all.find(own[i]));
+    are_same = are_same && places[i] == i;
+  }
+  if (are_same) places.clear();
   return places;
 }
 

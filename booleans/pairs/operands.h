@@ -46,8 +46,8 @@ struct Operands {
   /// Were they proved to be?
   bool are_proved = true;
 
-  /// The origins of all faces, null where none has labels; and of each operand the numbers of its own origins there, of
-  /// one without labels that of null.
+  /// The origins of all faces, null where none has labels; and of each operand the numbers of its own origins there,
+  /// nothing where they are their own, of one without labels that of null.
   std::shared_ptr<const Origins> origins;
   ById<OperandId, Array<std::uint32_t>> origins_of;
 
@@ -72,7 +72,7 @@ struct Operands {
     const Body& body = *bodies[o];
     if (!body.labels) return {origins_of[o][0], 0};
     const Provenance& p = body.provenance(own);
-    return p.in(origins_of[o][p.origin()]);
+    return origins_of[o].empty() ? p : p.in(origins_of[o][p.origin()]);
   }
   /// False when the box, of faces of that operand, meets no other operand's bounds; of many operands not all are asked.
   bool may_be_near(OperandId operand, const Box& box) const {
