@@ -33,7 +33,7 @@ struct Boundary::Data {
         form(std::move(f)),
         is_proved(Access::operand(s).is_proved),
         labels(public_labels(form.labels.origins.get(), {form.labels.polygons.data(), form.labels.polygons.size()},
-                             form.face_count())) {
+                             form.labels.polygons.size())) {
     if (has_labels(s)) labelled_solid = s;
   }
 
@@ -50,7 +50,7 @@ struct Boundary::Data {
   const Grid grid;
   const booleans::Boundary form;
   const bool is_proved;
-  const PublicLabels labels;
+  const PublicLabels labels;                 // nothing of faces without any
   std::optional<Solid> labelled_solid = {};  // the solid, if it has labels
 
   /// Its faces by label. Precondition: it has labels.
@@ -136,7 +136,9 @@ Boundary::Face Boundary::face(std::uint32_t face) const {
   return {std::span<const std::uint32_t>(faces.loop_start).subspan(first, last - first + 1), faces.corners_of(face)};
 }
 
-FaceLabel Boundary::label(std::uint32_t face) const { return data_->labels.labels[face]; }
+FaceLabel Boundary::label(std::uint32_t face) const {
+  return data_->labels.labels.empty() ? FaceLabel{} : data_->labels.labels[face];
+}
 const std::vector<Original>& Boundary::originals() const { return data_->labels.originals; }
 
 std::array<std::string, 4> Boundary::plane(std::uint32_t face) const {

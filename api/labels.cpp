@@ -19,6 +19,14 @@ booleans::Origin origin_of(const Original& original, std::size_t faces, const In
   return origin;
 }
 
+Result<void> check_label_count(std::size_t labels, std::size_t faces) {
+  if (labels == 0 || labels == faces) return {};
+  return Error{ErrorCode::bad_index,
+               "there are " + std::to_string(labels) + " labels for " + std::to_string(faces) + " faces",
+               {},
+               "face " + std::to_string(std::min(labels, faces))};
+}
+
 PublicLabels public_labels(const Origins* origins, std::span<const Provenance> faces, std::size_t face_count) {
   PublicLabels result;
   result.labels.resize(face_count);
@@ -132,11 +140,7 @@ ChannelMesh split_by_channels(const LabelledMesh& mesh) {
 Result<Solid> labelled(const Solid& solid, const Original& original, Indices labels) {
   booleans::Boundary boundary = booleans::canonical(Access::body(solid));
   const std::size_t faces = boundary.face_count();
-  if (labels.size() > 0 && labels.size() != faces)
-    return Error{ErrorCode::bad_index,
-                 "there are " + std::to_string(labels.size()) + " labels for " + std::to_string(faces) + " faces",
-                 {},
-                 "face " + std::to_string(std::min(labels.size(), faces))};
+  if (const auto checked = check_label_count(labels.size(), faces); !checked) return checked.error();
 
   Origins origins;
   origins.add(std::make_shared<const booleans::Origin>(origin_of(original, faces, labels)));

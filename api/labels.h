@@ -25,6 +25,9 @@ struct PublicChannels {
 PublicChannels public_channels(const booleans::Body& body, const booleans::Triangulated& mesh,
                                const booleans::TriangleLabels& labels, const booleans::PositionMap& to_model);
 
+/// Errors: "bad-index" where there are labels, but not one for each face.
+Result<void> check_label_count(std::size_t labels, std::size_t faces);
+
 /// What faces carry, for the outside; originals in order, those alone that are named. Faces without labels where
 /// `origins` is null.
 struct PublicLabels {

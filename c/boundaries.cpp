@@ -141,9 +141,7 @@ quoin_code quoin_boundary_original(const quoin_boundary* boundary, uint32_t orig
   if (name) *name = nullptr;
   return guarded(id, error, [&] {
     demand(boundary, "boundary");
-    demand_below(original, boundary->value.originals().size(), "original");
-    *id = boundary->value.originals()[original].id;
-    if (name) *name = boundary->value.originals()[original].name.c_str();
+    give_original(boundary->value.originals(), original, id, name);
   });
 }
 

@@ -103,6 +103,14 @@ std::vector<Solid> solids(const quoin_solid* const* given, std::size_t count, co
 
 inline quoin_face_label face_label(const FaceLabel& l) { return {l.original, l.label, l.source, l.turned ? 1 : 0}; }
 
+/// One of the solids that labels name; `name` may be NULL.
+inline void give_original(const std::vector<Original>& originals, std::uint32_t original, std::uint32_t* id,
+                          const char** name) {
+  demand_below(original, originals.size(), "original");
+  *id = originals[original].id;
+  if (name) *name = originals[original].name.c_str();
+}
+
 inline Grid grid_or_default(const quoin_grid* grid) { return grid ? grid->value : Grid(); }
 
 }  // namespace quoin::c

@@ -252,9 +252,7 @@ quoin_code quoin_mesh_original(const quoin_mesh* mesh, uint32_t original, uint32
   if (name) *name = nullptr;
   return guarded(id, error, [&] {
     demand(mesh, "mesh");
-    demand_below(original, mesh->value.originals.size(), "original");
-    *id = mesh->value.originals[original].id;
-    if (name) *name = mesh->value.originals[original].name.c_str();
+    give_original(mesh->value.originals, original, id, name);
   });
 }
 

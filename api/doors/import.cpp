@@ -83,12 +83,8 @@ std::span<const double> doubles(const Coordinates& coordinates, std::vector<doub
 
 /// "bad-index" for a wrong number of labels or channels, "non-finite".
 Result<void> check_labels(const Given& mesh, const ImportOptions& options) {
-  const std::size_t labels = options.labels.size(), channels = options.channels.size(), faces = mesh.faces();
-  if (labels != 0 && labels != faces)
-    return Error{ErrorCode::bad_index,
-                 "there are " + std::to_string(labels) + " labels for " + std::to_string(faces) + " faces",
-                 {},
-                 "face " + std::to_string(std::min(labels, faces))};
+  if (const auto checked = check_label_count(options.labels.size(), mesh.faces()); !checked) return checked;
+  const std::size_t channels = options.channels.size();
   if (channels != 0 && (mesh.corners.empty() || channels % mesh.corners.size() != 0))
     return Error{ErrorCode::bad_index, "there are " + std::to_string(channels) + " channel values for " +
                                            std::to_string(mesh.corners.size()) + " corners"};

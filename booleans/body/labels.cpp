@@ -66,13 +66,7 @@ std::span<const Border> Labels::borders_within(std::uint32_t begin, std::uint32_
 }
 
 void Labels::append_borders(const Labels& from, std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
-  // The others may be these: they are looked up again, item by item.
-  const auto found = from.borders_within(begin, end);
-  const auto first = static_cast<std::size_t>(found.data() - from.borders.data());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Border b = from.borders[first + i];
-    borders.push_back({b.corner - begin + to, b.other});
-  }
+  for (const Border& b : from.borders_within(begin, end)) borders.push_back({b.corner - begin + to, b.other});
 }
 
 void Labels::append_reversed_borders(const Labels& from, std::uint32_t begin, std::uint32_t end, std::uint32_t to) {

@@ -12,7 +12,8 @@
 namespace quoin::booleans {
 
 /// The faces of the canonical form as exact triangles, and a tree of their boxes. What is asked of it is a function of
-/// the point set alone, however the solid is stored; by label, of that and of what its faces carry. Constant once it is made: any number of threads may ask.
+/// the point set alone, however the solid is stored; by label, of that and of what its faces carry. Constant once it is
+/// made: any number of threads may ask.
 class Index {
  public:
   /// `by_label`: the faces are those of the labelled boundary (body/canonical.h). Precondition: a clean body (B1 - B4).
